@@ -1,0 +1,88 @@
+#include "core/base/file.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+
+#include "core/base/error.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path temporary_name(const fs::path& path) {
+  static std::atomic<unsigned> counter{0};
+  return path.parent_path() / fmt::format(".{}.{}-{}.partial{}", path.stem().string(), ::getpid(), counter++,
+                                          path.extension().string());
+}
+
+void create_parent(const fs::path& path) {
+  if (path.parent_path().empty()) return;
+  std::error_code error;
+  fs::create_directories(path.parent_path(), error);
+  if (error)
+    throw InputError(fmt::format("cannot create the folder {}: {}", path.parent_path().string(), error.message()));
+}
+
+}  // namespace
+
+void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+  if (fs::is_directory(path)) throw InputError(fmt::format("cannot write {}: it is a folder", path.string()));
+  create_parent(path);
+  const fs::path temporary = temporary_name(path);
+  std::error_code ignored;
+  try {
+    write(temporary);
+    std::error_code error;
+    fs::rename(temporary, path, error);
+    if (error) throw InputError(fmt::format("cannot write {}: {}", path.string(), error.message()));
+  } catch (...) {
+    fs::remove(temporary, ignored);
+    throw;
+  }
+}
+
+void write_text_file(const fs::path& path, std::string_view text) {
+  write_atomically(path, [&](const fs::path& temporary) {
+    std::ofstream out(temporary, std::ios::binary);
+    out.write(text.data(), static_cast<std::streamsize>(text.size()));
+    out.close();
+    if (!out) throw InputError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+  });
+}
+
+std::string read_text_file(const fs::path& path, std::uintmax_t max_bytes) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) throw InputError(fmt::format("{} does not exist", path.string()));
+  if (!fs::is_regular_file(status)) throw InputError(fmt::format("{} is not a file", path.string()));
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (error) throw InputError(fmt::format("cannot read {}: {}", path.string(), error.message()));
+  if (size > max_bytes)
+    throw InputError(fmt::format("{} has {} bytes, more than the {} allowed here", path.string(), size, max_bytes));
+  std::string text(size, '\0');
+  std::ifstream in(path, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(size));
+  if (!in) throw InputError(fmt::format("cannot read {}", path.string()));
+  return text;
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (fs::temp_directory_path() / "plenolab-XXXXXX").string();
+  if (!::mkdtemp(name.data()))
+    throw InputError(fmt::format("cannot create a temporary folder: {}", std::strerror(errno)));
+  path_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  fs::remove_all(path_, ignored);
+}
+
+}  // namespace plenolab
