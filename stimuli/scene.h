@@ -22,7 +22,8 @@ struct SurfacePoint {
   float u = 0, v = 0;  ///< interpolated mesh parameters
 };
 
-/// Procedural textures: pure functions, called from many threads. An empty function means the default beside it.
+/// Procedural textures: pure functions, called from many threads. An empty function means the default beside
+/// it.
 using ColourTexture = std::function<Rgb(const SurfacePoint&)>;
 using ScalarTexture = std::function<float(const SurfacePoint&)>;
 using NormalTexture = std::function<Vec3(const SurfacePoint&)>;
@@ -31,20 +32,21 @@ using NormalTexture = std::function<Vec3(const SurfacePoint&)>;
 struct Material {
   enum class Kind {
     kDiffuse,     ///< Lambert: albedo
-    kGlossy,      ///< GGX reflection (Walter et al. 2007, Fresnel from `ior`) over a Lambert base: albedo, roughness, ior
+    kGlossy,      ///< GGX reflection (Walter et al. 2007, Fresnel from `ior`) over a Lambert base: albedo,
+                  ///< roughness, ior
     kMetal,       ///< GGX reflection with normal-incidence reflectance `albedo`: roughness
     kMirror,      ///< ideal reflection of share `albedo`
     kDielectric,  ///< smooth refracting boundary (glass, water): ior, absorption on the inner side
     kEmitter,     ///< diffuse light source: radiance_cd_m2, front side only unless two_sided
   };
   Kind kind = Kind::kDiffuse;
-  ColourTexture albedo;            ///< in [0, 1]; default 0.5 grey
-  ScalarTexture roughness;         ///< GGX α in (0, 1]; default 0.2
-  NormalTexture normal;            ///< shading normal (unit), e.g. ripples on water; default SurfacePoint::normal
+  ColourTexture albedo;     ///< in [0, 1]; default 0.5 grey
+  ScalarTexture roughness;  ///< GGX α in (0, 1]; default 0.2
+  NormalTexture normal;     ///< shading normal (unit), e.g. ripples on water; default SurfacePoint::normal
   float ior = 1.5f;
-  Rgb absorption_per_m{};          ///< Beer-Lambert, inside a dielectric
-  Rgb radiance_cd_m2{};            ///< of an emitter
-  bool two_sided = true;           ///< emitters: light from both sides
+  Rgb absorption_per_m{};  ///< Beer-Lambert, inside a dielectric
+  Rgb radiance_cd_m2{};    ///< of an emitter
+  bool two_sided = true;   ///< emitters: light from both sides
 };
 
 /// A triangle mesh. `normals` and `uvs` are per vertex or empty (geometric normals, uv 0).
@@ -58,7 +60,7 @@ struct Mesh {
 
 /// The sun: a disc of uniform radiance, explicitly sampled.
 struct Sun {
-  Vec3 direction{0, 0, 1};           ///< unit, from the scene to the sun
+  Vec3 direction{0, 0, 1};  ///< unit, from the scene to the sun
   float angular_diameter_deg = 0.53f;
   Rgb illuminance_lx{100000, 95000, 85000};  ///< on a surface facing it
 };
@@ -76,16 +78,16 @@ struct Sky {
   float turbidity = 3;
 };
 
-/// A homogeneous participating medium inside an axis-aligned box; single scattering of sun and lamps, attenuation of
-/// everything seen through it.
+/// A homogeneous participating medium inside an axis-aligned box; single scattering of sun and lamps,
+/// attenuation of everything seen through it.
 struct Medium {
   Vec3 min_m, max_m;
   float scattering_per_m = 0, absorption_per_m = 0;
   float anisotropy = 0;  ///< Henyey-Greenstein g in (−1, 1)
 };
 
-/// Openings through which sky light enters an interior: sampled explicitly where the whole sky would be noisy.
-/// A parallelogram corner + a·edge_u + b·edge_v.
+/// Openings through which sky light enters an interior: sampled explicitly where the whole sky would be
+/// noisy. A parallelogram corner + a·edge_u + b·edge_v.
 struct SkyPortal {
   Vec3 corner_m, edge_u_m, edge_v_m;
 };

@@ -16,10 +16,14 @@ struct ContentHash::State {
   ~State() { XXH3_freeState(xxh); }
 };
 
-ContentHash::ContentHash() : state_(std::make_unique<State>()) { XXH3_128bits_reset(state_->xxh); }
+ContentHash::ContentHash() : state_(std::make_unique<State>()) {
+  XXH3_128bits_reset(state_->xxh);
+}
 ContentHash::~ContentHash() = default;
 
-void ContentHash::add_bytes(const void* data, std::size_t size) { XXH3_128bits_update(state_->xxh, data, size); }
+void ContentHash::add_bytes(const void* data, std::size_t size) {
+  XXH3_128bits_update(state_->xxh, data, size);
+}
 
 void ContentHash::add(std::string_view text) {
   const std::uint64_t size = text.size();
@@ -27,7 +31,9 @@ void ContentHash::add(std::string_view text) {
   add_bytes(text.data(), text.size());
 }
 
-void ContentHash::add(double value) { add_bytes(&value, sizeof value); }
+void ContentHash::add(double value) {
+  add_bytes(&value, sizeof value);
+}
 
 std::string ContentHash::hex() const {
   const XXH128_hash_t hash = XXH3_128bits_digest(state_->xxh);

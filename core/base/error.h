@@ -6,8 +6,8 @@
 
 namespace plenolab {
 
-/// Bad input: a file, an option or data from outside is not what it must be. The message is one sentence that says
-/// what is wrong, which value, which file, and what to do; the program prints it and exits with 1.
+/// Bad input: a file, an option or data from outside is not what it must be. The message is one sentence that
+/// says what is wrong, which value, which file, and what to do; the program prints it and exits with 1.
 class InputError : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
@@ -26,8 +26,9 @@ namespace detail {
 
 }  // namespace plenolab
 
-/// Checks an internal invariant in every build type. `values` is text (or fmt::format(...)) with the offending values.
-#define PLENOLAB_CHECK(condition, values)                                                   \
-  do {                                                                                      \
+/// Checks an internal invariant in every build type. `values` is text (or fmt::format(...)) with the
+/// offending values.
+#define PLENOLAB_CHECK(condition, values)                                                       \
+  do {                                                                                          \
     if (!(condition)) ::plenolab::detail::check_failed(#condition, __FILE__, __LINE__, values); \
   } while (false)

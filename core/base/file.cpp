@@ -27,7 +27,8 @@ void create_parent(const fs::path& path) {
   std::error_code error;
   fs::create_directories(path.parent_path(), error);
   if (error)
-    throw InputError(fmt::format("cannot create the folder {}: {}", path.parent_path().string(), error.message()));
+    throw InputError(
+        fmt::format("cannot create the folder {}: {}", path.parent_path().string(), error.message()));
 }
 
 }  // namespace
@@ -65,7 +66,8 @@ std::string read_text_file(const fs::path& path, std::uintmax_t max_bytes) {
   const std::uintmax_t size = fs::file_size(path, error);
   if (error) throw InputError(fmt::format("cannot read {}: {}", path.string(), error.message()));
   if (size > max_bytes)
-    throw InputError(fmt::format("{} has {} bytes, more than the {} allowed here", path.string(), size, max_bytes));
+    throw InputError(
+        fmt::format("{} has {} bytes, more than the {} allowed here", path.string(), size, max_bytes));
   std::string text(size, '\0');
   std::ifstream in(path, std::ios::binary);
   in.read(text.data(), static_cast<std::streamsize>(size));

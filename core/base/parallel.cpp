@@ -10,7 +10,8 @@
 namespace plenolab {
 
 int resolve_threads(int threads) {
-  if (threads < 0) throw InputError(fmt::format("the number of threads must be 0 (all) or more, not {}", threads));
+  if (threads < 0)
+    throw InputError(fmt::format("the number of threads must be 0 (all) or more, not {}", threads));
   return threads == 0 ? tbb::this_task_arena::max_concurrency() : threads;
 }
 
@@ -26,7 +27,8 @@ void parallel_for(int count, int grain, int threads, const std::function<void(in
   arena.execute([&] {
     tbb::parallel_for(
         tbb::blocked_range<int>(0, count, static_cast<std::size_t>(grain)),
-        [&](const tbb::blocked_range<int>& range) { body(range.begin(), range.end()); }, tbb::simple_partitioner());
+        [&](const tbb::blocked_range<int>& range) { body(range.begin(), range.end()); },
+        tbb::simple_partitioner());
   });
 }
 

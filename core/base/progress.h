@@ -4,7 +4,8 @@
 
 namespace plenolab {
 
-/// Called from long work with the share done in [0, 1], never from two threads at once. Empty = nobody listens.
+/// Called from long work with the share done in [0, 1], never from two threads at once. Empty = nobody
+/// listens.
 using Progress = std::function<void(double share_done)>;
 
 }  // namespace plenolab

@@ -13,17 +13,22 @@ constexpr std::uint64_t mix64(std::uint64_t x) {
   return x ^ (x >> 31);
 }
 
-/// Random word as a pure function of (seed, purpose, index): no shared state, the same on every platform and for
-/// every order of evaluation. `purpose` keeps the uses of one seed apart (any constant unique to the call site).
+/// Random word as a pure function of (seed, purpose, index): no shared state, the same on every platform and
+/// for every order of evaluation. `purpose` keeps the uses of one seed apart (any constant unique to the call
+/// site).
 constexpr std::uint64_t random_u64(std::uint64_t seed, std::uint64_t purpose, std::uint64_t index) {
   return mix64(mix64(mix64(seed) ^ purpose) ^ index);
 }
 
 /// Uniform in [0, 1), 24 bits, exactly representable in float.
-constexpr float unit_float(std::uint64_t word) { return static_cast<float>(word >> 40) * 0x1.0p-24f; }
+constexpr float unit_float(std::uint64_t word) {
+  return static_cast<float>(word >> 40) * 0x1.0p-24f;
+}
 
 /// Uniform in [0, 1), 53 bits.
-constexpr double unit_double(std::uint64_t word) { return static_cast<double>(word >> 11) * 0x1.0p-53; }
+constexpr double unit_double(std::uint64_t word) {
+  return static_cast<double>(word >> 11) * 0x1.0p-53;
+}
 
 /// A stream of random words for one (seed, purpose, index): a counter hashed at each call.
 class RandomStream {

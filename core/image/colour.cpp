@@ -16,10 +16,18 @@ constexpr double kC3 = 2392.0 / 4096.0 * 32.0;
 constexpr double kPeak_cd_m2 = 10000.0;
 }  // namespace
 
-float gamma_encode(float linear) { return linear > 0 ? std::pow(linear, 1.0f / 2.2f) : 0.0f; }
-float gamma_decode(float encoded) { return encoded > 0 ? std::pow(encoded, 2.2f) : 0.0f; }
-Rgb gamma_encode(Rgb c) { return {gamma_encode(c.r), gamma_encode(c.g), gamma_encode(c.b)}; }
-Rgb gamma_decode(Rgb c) { return {gamma_decode(c.r), gamma_decode(c.g), gamma_decode(c.b)}; }
+float gamma_encode(float linear) {
+  return linear > 0 ? std::pow(linear, 1.0f / 2.2f) : 0.0f;
+}
+float gamma_decode(float encoded) {
+  return encoded > 0 ? std::pow(encoded, 2.2f) : 0.0f;
+}
+Rgb gamma_encode(Rgb c) {
+  return {gamma_encode(c.r), gamma_encode(c.g), gamma_encode(c.b)};
+}
+Rgb gamma_decode(Rgb c) {
+  return {gamma_decode(c.r), gamma_decode(c.g), gamma_decode(c.b)};
+}
 
 double pq_encode(double luminance_cd_m2) {
   const double y = std::pow(std::clamp(luminance_cd_m2 / kPeak_cd_m2, 0.0, 1.0), kM1);
@@ -34,8 +42,9 @@ double pq_decode(double signal) {
 DisplayImage expose(const SceneImage& scene, float exposure) {
   DisplayImage out(scene.width(), scene.height());
   const auto encode = [exposure](float v) { return std::min(1.0f, gamma_encode(exposure * v)); };
-  std::transform(scene.pixels().begin(), scene.pixels().end(), out.pixels().begin(),
-                 [&](Rgb c) { return Rgb{encode(c.r), encode(c.g), encode(c.b)}; });
+  std::transform(scene.pixels().begin(), scene.pixels().end(), out.pixels().begin(), [&](Rgb c) {
+    return Rgb{encode(c.r), encode(c.g), encode(c.b)};
+  });
   return out;
 }
 
@@ -47,7 +56,8 @@ float exposure_from(const SceneImage& truth) {
     if (std::isfinite(y) && y > 0) values.push_back(y);
   }
   if (values.empty()) return 1.0f;
-  const auto p99 = values.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(values.size() - 1) * 0.99);
+  const auto p99 =
+      values.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(values.size() - 1) * 0.99);
   std::nth_element(values.begin(), p99, values.end());
   return 1.0f / *p99;
 }

@@ -12,21 +12,35 @@ struct Rgb {
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
-constexpr Rgb operator+(Rgb a, Rgb b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-constexpr Rgb operator-(Rgb a, Rgb b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
-constexpr Rgb operator*(Rgb a, Rgb b) { return {a.r * b.r, a.g * b.g, a.b * b.b}; }
-constexpr Rgb operator*(Rgb a, float k) { return {a.r * k, a.g * k, a.b * k}; }
-constexpr Rgb operator*(float k, Rgb a) { return a * k; }
-constexpr Rgb& operator+=(Rgb& a, Rgb b) { return a = a + b; }
+constexpr Rgb operator+(Rgb a, Rgb b) {
+  return {a.r + b.r, a.g + b.g, a.b + b.b};
+}
+constexpr Rgb operator-(Rgb a, Rgb b) {
+  return {a.r - b.r, a.g - b.g, a.b - b.b};
+}
+constexpr Rgb operator*(Rgb a, Rgb b) {
+  return {a.r * b.r, a.g * b.g, a.b * b.b};
+}
+constexpr Rgb operator*(Rgb a, float k) {
+  return {a.r * k, a.g * k, a.b * k};
+}
+constexpr Rgb operator*(float k, Rgb a) {
+  return a * k;
+}
+constexpr Rgb& operator+=(Rgb& a, Rgb b) {
+  return a = a + b;
+}
 
-/// A rectangular array of values, row by row, row 0 at the top. Pixel (x, y) covers [x, x+1) × [y, y+1): its centre is
-/// at (x + 0.5, y + 0.5) in image coordinates.
+/// A rectangular array of values, row by row, row 0 at the top. Pixel (x, y) covers [x, x+1) × [y, y+1): its
+/// centre is at (x + 0.5, y + 0.5) in image coordinates.
 template <class T>
 class Plane {
  public:
   Plane() = default;
   Plane(int width, int height, T fill = T{})
-      : width_(width), height_(height), data_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
+      : width_(width),
+        height_(height),
+        data_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), fill) {}
 
   int width() const { return width_; }
   int height() const { return height_; }
@@ -49,9 +63,9 @@ class Plane {
   std::vector<T> data_;
 };
 
-/// What the numbers of an image mean. Scene-referred: linear radiance (cd/m² or relative, see its owner), unbounded.
-/// Display-referred: encoded code values in [0, 1] as sent to a display. The two do not convert into each other
-/// implicitly: wiring one into the other does not compile.
+/// What the numbers of an image mean. Scene-referred: linear radiance (cd/m² or relative, see its owner),
+/// unbounded. Display-referred: encoded code values in [0, 1] as sent to a display. The two do not convert
+/// into each other implicitly: wiring one into the other does not compile.
 struct SceneReferred {};
 struct DisplayReferred {};
 
