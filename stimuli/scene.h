@@ -121,7 +121,22 @@ struct Scene {
   std::optional<Medium> medium;
   GridCamera camera;
   GridPreset quick, paper;
-  int max_bounces = 6;
+  int max_bounces = 6;  ///< scattering events of one path, ideal reflection and refraction included
+  /// Whether lamps and the sun also light diffuse and glossy surfaces by way of mirrors, smooth dielectrics
+  /// and GGX reflection seen from diffuse surfaces. False leaves these (noisy) paths out of every view and of
+  /// the ground truth alike: a property of the scene, not an approximation of the renderer. What the camera
+  /// sees directly or through any chain of mirrors and dielectrics is never left out.
+  bool caustics = true;
+  /// Names an altered copy of a scene ("roughness=0.1") in the render cache. Whoever changes a scene after it
+  /// was built must change this too, because cached views are found by id, variant and source text. Empty: as
+  /// built.
+  std::string variant;
 };
+
+/// Throws InputError with one sentence that names the first thing wrong: an index out of range, a number of
+/// normals or uvs that differs from the vertices', a coordinate that is not finite, a direction that is not a
+/// unit vector, a negative radiance, a turbidity, roughness or anisotropy out of range. Triangles without
+/// area are allowed.
+void validate(const Scene& scene);
 
 }  // namespace plenolab
