@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "metrics/comparison.h"
+
+namespace plenolab {
+
+/// Which values of a quantity mean a test image nearer to its reference.
+enum class Better {
+  kHigher,
+  kLower,
+  kNearerZero,  ///< signed errors
+  kNeither,     ///< describes the comparison, e.g. the share of clipped pixels
+};
+
+/// What one number of a metric means.
+struct MetricQuantity {
+  std::string name;  ///< stable, in snake case, as in Measurement::quantity
+  std::string unit;
+  Better better = Better::kLower;
+  double minimum = 0, maximum = 0;  ///< range of values, may be infinite
+  double identical = 0;             ///< value for two equal images (NaN = depends on the image)
+  std::string meaning;              ///< one sentence
+};
+
+/// A full-reference metric: compares a test image with a reference of the same size.
+struct Metric {
+  std::string name;                        ///< on the command line, e.g. "psnr_gamma"
+  std::string family;                      ///< selects several at once, e.g. "psnr"
+  std::string summary;                     ///< one sentence with the source
+  bool symmetric = true;                   ///< swapping test and reference changes nothing but signs
+  std::vector<MetricQuantity> quantities;  ///< in the order in which compare functions return them
+  /// Scene-referred images; empty if the metric does not take them.
+  std::function<std::vector<Measurement>(const SceneImage& test, const SceneImage& reference,
+                                         const ComparisonConditions&)>
+      compare_scene;
+  /// Display-referred images (compared as encoded, exposure unused); empty if the metric does not take them.
+  std::function<std::vector<Measurement>(const DisplayImage& test, const DisplayImage& reference,
+                                         const ComparisonConditions&)>
+      compare_display;
+};
+
+/// All metrics. Adding one: a file with its function and a line in metrics/table.cpp.
+std::span<const Metric> metrics();
+
+/// The metrics named: each name is that of a metric, of a family, or "all"; in table order, each once. Throws
+/// InputError listing the known names for an unknown one.
+std::vector<const Metric*> select_metrics(std::span<const std::string> names);
+
+}  // namespace plenolab
