@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <variant>
+
+#include "core/image/image.h"
+#include "core/lightfield/light_field.h"
+
+namespace plenolab {
+
+/// A light field of either meaning, as found on disk.
+using AnyLightField = std::variant<LightField, DisplayLightField>;
+
+/// Opens a light field folder or an HCI benchmark folder with at most `memory_mib` MiB of views in memory. Throws
+/// InputError if the folder is neither.
+AnyLightField open_any_light_field(const std::filesystem::path& folder, int memory_mib = 2048);
+
+const ViewGrid& grid_of(const AnyLightField& light_field);
+
+/// An image of either meaning; the extension decides (.png = display-referred).
+using AnyImage = std::variant<SceneImage, DisplayImage>;
+AnyImage read_any_image(const std::filesystem::path& path);
+
+/// Image files of a folder (frames of a video), sorted by name. Throws InputError if there are none.
+std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder);
+
+/// Whether the extension is that of a display-referred image.
+bool is_display_file(const std::filesystem::path& path);
+
+}  // namespace plenolab

@@ -1,0 +1,66 @@
+#include "experiments/cli/output.h"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace plenolab {
+
+void add_common_options(CLI::App& app, CommonOptions& options) {
+  app.add_option("--json", options.json, "Write results as JSON to this file ('-' = standard output)");
+  app.add_option("--csv", options.csv, "Write results as tidy CSV to this file");
+  app.add_option("--seed", options.seed, "Seed of all randomness")->capture_default_str();
+  app.add_option("--threads", options.threads, "Threads, 0 = all cores")
+      ->capture_default_str()
+      ->check(CLI::Range(0, 1024));
+}
+
+Provenance begin_run(const Invocation& invocation, const CommonOptions& options) {
+  Provenance provenance = start_provenance(invocation.arguments);
+  provenance.seed = options.seed;
+  provenance.parameters["threads"] = options.threads;
+  return provenance;
+}
+
+void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
+  finish_provenance(provenance);
+  const std::string json = results_to_json_text(provenance_to_json(provenance), results);
+  if (options.json == "-") {
+    fmt::print("{}", json);
+  } else {
+    fmt::print("{}", to_text(results));
+    if (!options.json.empty()) write_text_file(options.json, json);
+  }
+  if (!options.csv.empty()) write_text_file(options.csv, to_csv(results));
+  if (std::fflush(stdout) != 0) throw InputError("cannot write the results to standard output");
+}
+
+void tell(const CommonOptions& options, const std::string& line) {
+  if (options.json != "-") fmt::print("{}\n", line);
+}
+
+void write_run_json_beside(const std::filesystem::path& file, Provenance& provenance) {
+  finish_provenance(provenance);
+  write_text_file(file.string() + ".run.json", provenance_to_json(provenance).dump(2) + "\n");
+}
+
+std::filesystem::path render_cache_folder(const std::string& option) {
+  if (!option.empty()) return option;
+  const auto variable = [](const char* name) -> std::string {
+    const char* value = std::getenv(name);
+    return value ? value : "";
+  };
+  if (const std::string cache = variable("PLENOLAB_CACHE"); !cache.empty()) return cache;
+  if (const std::string xdg = variable("XDG_CACHE_HOME"); !xdg.empty())
+    return std::filesystem::path(xdg) / "plenolab";
+  if (const std::string home = variable("HOME"); !home.empty())
+    return std::filesystem::path(home) / ".cache" / "plenolab";
+  throw InputError("no folder for rendered views: give --cache or set HOME");
+}
+
+}  // namespace plenolab

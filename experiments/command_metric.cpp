@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/image/colour.h"
+#include "experiments/cli/arguments.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/output.h"
+#include "metrics/table.h"
+
+namespace plenolab {
+
+namespace {
+
+struct MetricOptions {
+  CommonOptions common;
+  std::string reference, test;
+  std::string names = "all";
+  double exposure = 0, cd_m2_per_unit = 1;
+};
+
+void add_measurements(ResultTable& table, const Metric& metric, const std::vector<Measurement>& measurements) {
+  for (const Measurement& m : measurements) table.add({m.quantity, m.value, m.unit, {{"metric", metric.name}}});
+}
+
+ResultTable compare(const SceneImage& test, const SceneImage& reference, const std::vector<const Metric*>& chosen,
+                    const ComparisonConditions& conditions) {
+  ResultTable table;
+  for (const Metric* metric : chosen)
+    if (metric->compare_scene) add_measurements(table, *metric, metric->compare_scene(test, reference, conditions));
+  return table;
+}
+
+ResultTable compare(const DisplayImage& test, const DisplayImage& reference, const std::vector<const Metric*>& chosen,
+                    const ComparisonConditions& conditions) {
+  ResultTable table;
+  for (const Metric* metric : chosen)
+    if (metric->compare_display)
+      add_measurements(table, *metric, metric->compare_display(test, reference, conditions));
+  return table;
+}
+
+void run_metric(const Invocation& invocation, const MetricOptions& options) {
+  const auto chosen = select_metrics(split_list(options.names));
+  Provenance provenance = begin_run(invocation, options.common);
+  add_input(provenance, options.reference);
+  add_input(provenance, options.test);
+  const AnyImage reference = read_any_image(options.reference);
+  const AnyImage test = read_any_image(options.test);
+  if (reference.index() != test.index())
+    throw InputError(fmt::format("{} and {} cannot be compared: one is scene-referred, the other display-referred",
+                                 options.reference, options.test));
+  ComparisonConditions conditions;
+  conditions.cd_m2_per_unit = options.cd_m2_per_unit;
+  conditions.threads = options.common.threads;
+  ResultTable table;
+  if (const auto* scene = std::get_if<SceneImage>(&reference)) {
+    conditions.exposure = options.exposure > 0 ? static_cast<float>(options.exposure) : exposure_from(*scene);
+    table = compare(std::get<SceneImage>(test), *scene, chosen, conditions);
+  } else {
+    table = compare(std::get<DisplayImage>(test), std::get<DisplayImage>(reference), chosen, conditions);
+  }
+  provenance.parameters["exposure"] = conditions.exposure;
+  provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
+  if (table.empty())
+    throw InputError(fmt::format("none of the metrics '{}' takes this kind of image", options.names));
+  emit_results(table, provenance, options.common);
+}
+
+std::string metric_names() {
+  std::string names;
+  for (const Metric& metric : metrics()) names += (names.empty() ? "" : ", ") + metric.name;
+  return names;
+}
+
+}  // namespace
+
+void add_metric_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<MetricOptions>();
+  app.add_option("--ref", options->reference, "Reference image (.exr .hdr .pfm .png)")->required();
+  app.add_option("--test", options->test, "Test image of the same size")->required();
+  app.add_option("--metric", options->names, "Metrics or families, comma-separated: " + metric_names())
+      ->capture_default_str();
+  app.add_option("--exposure", options->exposure,
+                 "Scale before gamma encoding (default: 99th percentile of the reference becomes 1)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit, "Luminance of a pixel value of 1, for PQ")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab metric --ref truth.exr --test novel.exr --metric psnr,ssim");
+  app.callback([options, &invocation] { run_metric(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,59 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "experiments/cli/output.h"
+#include "stimuli/render.h"
+#include "stimuli/scenes/table.h"
+
+namespace plenolab {
+
+namespace {
+
+void add_preset_rows(ResultTable& table, const Scene& scene, const char* preset_name, const GridPreset& preset) {
+  const auto add = [&](const char* quantity, double value, const char* unit) {
+    table.add({quantity, value, unit, {{"scene", scene.id}, {"preset", std::string(preset_name)}}});
+  };
+  add("columns", preset.columns, "views");
+  add("rows", preset.rows, "views");
+  add("width", preset.width, "px");
+  add("height", preset.height, "px");
+  add("spacing_x", preset.spacing_x_m, "m");
+  add("spacing_y", preset.spacing_y_m, "m");
+  add("paths_per_pixel", preset.paths_per_pixel, "paths");
+}
+
+std::string preset_line(const GridPreset& preset) {
+  return fmt::format("{}×{} views of {}×{}, {:g} m apart, {} paths a pixel", preset.columns, preset.rows,
+                     preset.width, preset.height, preset.spacing_x_m, preset.paths_per_pixel);
+}
+
+void run_scenes(const Invocation& invocation, const CommonOptions& options) {
+  Provenance provenance = begin_run(invocation, options);
+  ResultTable table;
+  std::string text;
+  for (const SceneEntry& entry : scenes()) {
+    const Scene scene = entry.build();
+    add_preset_rows(table, scene, "quick", scene.quick);
+    add_preset_rows(table, scene, "paper", scene.paper);
+    text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} quick: {}\n{:<15} paper: {}\n\n", scene.id, scene.title, "",
+                        scene.description, "", preset_line(scene.quick), "", preset_line(scene.paper));
+  }
+  if (options.json.empty() && options.csv.empty()) {
+    fmt::print("{}", text);
+    return;
+  }
+  emit_results(table, provenance, options);
+}
+
+}  // namespace
+
+void add_scenes_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<CommonOptions>();
+  add_common_options(app, *options);
+  app.footer("Example: plenolab scenes");
+  app.callback([options, &invocation] { run_scenes(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,37 @@
+#include "experiments/commands.h"
+
+#include <array>
+
+namespace plenolab {
+
+void add_scenes_command(CLI::App& app, const Invocation& invocation);
+void add_render_command(CLI::App& app, const Invocation& invocation);
+void add_info_command(CLI::App& app, const Invocation& invocation);
+void add_convert_command(CLI::App& app, const Invocation& invocation);
+void add_synth_command(CLI::App& app, const Invocation& invocation);
+void add_video_command(CLI::App& app, const Invocation& invocation);
+void add_epi_command(CLI::App& app, const Invocation& invocation);
+void add_metric_command(CLI::App& app, const Invocation& invocation);
+void add_evaluate_command(CLI::App& app, const Invocation& invocation);
+void add_sweep_command(CLI::App& app, const Invocation& invocation);
+void add_reproduce_command(CLI::App& app, const Invocation& invocation);
+
+std::span<const Command> commands() {
+  static constexpr std::array kCommands{
+      Command{"scenes", "List the scenes there are to render", add_scenes_command},
+      Command{"render", "Render a scene as a light field, or one view of it", add_render_command},
+      Command{"info", "Profile and photometric self-check of a light field; statistics of an image", add_info_command},
+      Command{"convert", "Convert HCI folders, bare EXR folders and light fields into each other", add_convert_command},
+      Command{"synth", "Synthesise one novel view", add_synth_command},
+      Command{"video", "Synthesise the frames of a camera path", add_video_command},
+      Command{"epi", "Cut an epipolar-plane image out of a sequence of frames", add_epi_command},
+      Command{"metric", "Compare a test image with a reference", add_metric_command},
+      Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
+              add_evaluate_command},
+      Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
+      Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report", add_reproduce_command},
+  };
+  return kCommands;
+}
+
+}  // namespace plenolab
