@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/pruned_stage.h"
 #include "core/lightfield/light_field.h"
 #include "stimuli/block_preprocess.h"
 #include "stimuli/scene.h"
@@ -30,13 +31,6 @@ struct RenderSettings {
 
   /// Throws InputError with one sentence that names the first value out of range.
   void validate() const;
-};
-
-/// A stage that cannot change the result of a scene and was left out.
-struct PrunedStage {
-  std::string stage;   ///< e.g. "medium"
-  std::string reason;  ///< e.g. "the scene has no participating medium"
-  friend bool operator==(const PrunedStage&, const PrunedStage&) = default;
 };
 
 struct RenderStats {
