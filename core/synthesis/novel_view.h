@@ -25,8 +25,8 @@ struct UsedView {
 
 /// What became of one pixel's correspondence in one key view.
 enum class CorrespondenceState : std::uint8_t {
-  kNotUsed,       ///< the key view takes no part (I on another key view, or fewer key views asked for or present)
-  kUsed,          ///< visible, contributes with `weight`
+  kNotUsed,  ///< the key view takes no part (I on another key view, or fewer key views asked for or present)
+  kUsed,     ///< visible, contributes with `weight`
   kOutOfFrustum,  ///< rule 1: the surface may lie outside the key view's image
   kDisocclusion,  ///< rule 2: A lies on a pseudo-surface between two surfaces
   kOccluded,      ///< rule 3: another view sees a nearer surface
@@ -41,7 +41,7 @@ struct Correspondence {
   std::uint16_t probes = 0;  ///< disparity samples looked at along the path, refinement included (saturates)
   float x = 0, y = 0;        ///< A in image coordinates of the key view (pixel centres at integer + 0.5)
   float disparity_px = 0;    ///< at A
-  float weight = 0;          ///< share in the output colour, 0 … 1; sums to 1 over the views of a seen pixel
+  float weight = 0;  ///< share in the output colour, 0 … 1; sums to 1 over the views of a seen pixel
 };
 
 /// Correspondences of one pixel in the order of NovelView::views.
@@ -49,17 +49,18 @@ using PixelProvenance = std::array<Correspondence, kMaxViews>;
 
 /// Counts over all pixels and used views (a pixel in two views counts twice).
 struct SynthesisStatistics {
-  std::uint64_t searches = 0;         ///< pixels × used views
-  std::uint64_t search_samples = 0;   ///< disparity samples of the first pass
-  std::uint64_t refine_samples = 0;   ///< disparity samples of the second pass (sub-samples)
+  std::uint64_t searches = 0;        ///< pixels × used views
+  std::uint64_t search_samples = 0;  ///< disparity samples of the first pass
+  std::uint64_t refine_samples = 0;  ///< disparity samples of the second pass (sub-samples)
   std::uint64_t used = 0, out_of_frustum = 0, disoccluded = 0, occluded = 0, restored = 0, weight_zero = 0;
-  std::uint64_t thin = 0;             ///< correspondences of the keep_thin variant
+  std::uint64_t thin = 0;  ///< correspondences of the keep_thin variant
   double samples_per_search() const {
     return searches == 0 ? 0 : static_cast<double>(search_samples) / static_cast<double>(searches);
   }
 };
 
-/// Seconds per stage. Those of a stage that runs inside worker threads are summed over the threads; `total` is wall time.
+/// Seconds per stage. Those of a stage that runs inside worker threads are summed over the threads; `total`
+/// is wall time.
 struct SynthesisTimings {
   double prepare_s = 0;    ///< loading and encoding key views that were not prepared yet
   double occupancy_s = 0;  ///< building the tile occupancy (fast search), wall time
@@ -72,20 +73,21 @@ struct SynthesisTimings {
 /// A synthesised view.
 template <class Referral>
 struct NovelView {
-  RgbImage<Referral> image;               ///< radiance (scene-referred) or code values (display-referred)
+  RgbImage<Referral> image;  ///< radiance (scene-referred) or code values (display-referred)
   CameraPosition position;
-  std::vector<UsedView> views;            ///< the key views that took part, nearest first
-  Plane<std::uint8_t> visible_views;      ///< per pixel: views that see it, before restoration (0 = red in the map)
-  Mask unseen;                            ///< 1 where nothing at all was found: the image is 0 there
-  Mask restored;                          ///< 1 where rule 4 filled the pixel
+  std::vector<UsedView> views;  ///< the key views that took part, nearest first
+  Plane<std::uint8_t>
+      visible_views;  ///< per pixel: views that see it, before restoration (0 = red in the map)
+  Mask unseen;        ///< 1 where nothing at all was found: the image is 0 there
+  Mask restored;      ///< 1 where rule 4 filled the pixel
   std::size_t unseen_pixels = 0;
   std::size_t restored_pixels = 0;
-  std::size_t repaired_values = 0;        ///< values of the used key views replaced before use, see PreparedView
-  float d_max_px = 0;                     ///< where the search started
+  std::size_t repaired_values = 0;  ///< values of the used key views replaced before use, see PreparedView
+  float d_max_px = 0;               ///< where the search started
   SynthesisStatistics statistics;
   SynthesisTimings timings;
   std::vector<PrunedStage> pruned;
-  Plane<PixelProvenance> provenance;      ///< empty unless asked for
+  Plane<PixelProvenance> provenance;  ///< empty unless asked for
 };
 
 }  // namespace plenolab
