@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace plenolab {
+
+/// All bytes of a regular file of at most `max_bytes`. Throws InputError if it is missing, no file, or
+/// larger.
+std::vector<std::byte> read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes);
+
+/// Writes bytes to a file that need not be replaced atomically (inside write_atomically). Throws InputError.
+void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
+
+/// Lower-case extension with its dot, ".exr".
+std::string lower_extension(const std::filesystem::path& path);
+
+}  // namespace plenolab
