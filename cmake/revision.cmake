@@ -1,0 +1,23 @@
+# Run at build time with SOURCE_DIR and OUTPUT: writes the header with the revision of the sources.
+set(revision "unknown")
+set(dirty "false")
+find_program(GIT git)
+if(GIT)
+  execute_process(COMMAND ${GIT} describe --always --tags --abbrev=12 WORKING_DIRECTORY ${SOURCE_DIR}
+    OUTPUT_VARIABLE described RESULT_VARIABLE failed ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+  if(NOT failed)
+    set(revision "${described}")
+    execute_process(COMMAND ${GIT} --no-optional-locks status --porcelain --untracked-files=no
+      WORKING_DIRECTORY ${SOURCE_DIR} OUTPUT_VARIABLE changes ERROR_QUIET)
+    if(changes)
+      set(dirty "true")
+    endif()
+  endif()
+endif()
+set(text "#pragma once\n\n#define PLENOLAB_REVISION \"${revision}\"\n#define PLENOLAB_REVISION_DIRTY ${dirty}\n")
+if(EXISTS ${OUTPUT})
+  file(READ ${OUTPUT} present)
+endif()
+if(NOT "${present}" STREQUAL "${text}")
+  file(WRITE ${OUTPUT} "${text}")
+endif()
