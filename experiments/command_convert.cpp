@@ -39,8 +39,7 @@ AnyLightField open_source(const ConvertOptions& options) {
 /// The light field at one exposure, as the 8-bit views of the HCI layout need it.
 DisplayLightField exposed(const LightField& field, double exposure) {
   const ViewGrid grid = field.grid();
-  if (!(exposure > 0))
-    exposure = exposure_from(field.view(grid.columns / 2, grid.rows / 2)->colour);
+  if (!(exposure > 0)) exposure = exposure_from(field.view(grid.columns / 2, grid.rows / 2)->colour);
   return DisplayLightField(grid, field.unit(), field.name(), [field, exposure](int column, int row) {
     const auto view = field.view(column, row);
     return KeyView<DisplayReferred>{expose(view->colour, static_cast<float>(exposure)), view->disparity};
@@ -84,15 +83,16 @@ void run_convert(const Invocation& invocation, ConvertOptions& options) {
   finish_provenance(provenance);
   write_run_json(provenance, options.out);
   const ViewGrid& grid = grid_of(field);
-  tell(options.common, fmt::format("wrote {} ({}×{} views of {}×{} pixels)", options.out, grid.columns, grid.rows,
-                                   grid.width, grid.height));
+  tell(options.common, fmt::format("wrote {} ({}×{} views of {}×{} pixels)", options.out, grid.columns,
+                                   grid.rows, grid.width, grid.height));
 }
 
 }  // namespace
 
 void add_convert_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ConvertOptions>();
-  app.add_option("source", options->source, "HCI folder, light field folder, or a bare folder of EXRs with depth")
+  app.add_option("source", options->source,
+                 "HCI folder, light field folder, or a bare folder of EXRs with depth")
       ->required();
   app.add_option("-o,--out", options->out, "Folder to write; must not exist or be empty")->required();
   app.add_option("--to", options->to, "Layout to write")
@@ -105,7 +105,8 @@ void add_convert_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--spacing-y", options->bare.spacing_y_m, "Bare folder: metres between rows");
   app.add_option("--fov-h", options->bare.fov_h_deg, "Bare folder: full horizontal opening angle in degrees");
   app.add_option("--pattern", options->bare.pattern, "Bare folder: view names with {column} and {row}");
-  app.add_option("--columns", options->bare.columns, "Bare folder: columns, for names with one running number");
+  app.add_option("--columns", options->bare.columns,
+                 "Bare folder: columns, for names with one running number");
   app.add_flag("--column-first", options->bare.column_first, "Bare folder: the first number is the column");
   app.add_option("--red", options->bare.r, "Bare folder: name of the red channel");
   app.add_option("--green", options->bare.g, "Bare folder: name of the green channel");

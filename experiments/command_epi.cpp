@@ -66,10 +66,12 @@ void add_epi_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("frames", options->frames, "Folder of frames, taken in order of their names")->required();
   app.add_option("-o,--out", options->out, "Image to write; .png is exposed for display, .exr keeps radiance")
       ->required();
-  app.add_option("--row", options->row, "Cut along this row (horizontal camera motion)")->check(CLI::NonNegativeNumber);
+  app.add_option("--row", options->row, "Cut along this row (horizontal camera motion)")
+      ->check(CLI::NonNegativeNumber);
   app.add_option("--column", options->column, "Cut along this column (vertical camera motion)")
       ->check(CLI::NonNegativeNumber);
-  app.add_option("--stretch", options->stretch, "Repeat each frame this often in a .png")->check(CLI::Range(1, 64));
+  app.add_option("--stretch", options->stretch, "Repeat each frame this often in a .png")
+      ->check(CLI::Range(1, 64));
   app.add_option("--exposure", options->exposure, "Exposure of a .png (default: 99th percentile becomes 1)")
       ->check(CLI::PositiveNumber);
   add_common_options(app, options->common);

@@ -95,12 +95,16 @@ ResultTable image_info(const AnyImage& any, const std::string& path) {
         for (const Rgb& c : image.pixels())
           if (const float y = luminance(c); std::isfinite(y)) luminances.push_back(y);
         if (luminances.empty()) return;
-        for (const auto& [name, p] : {std::pair{"luminance_min", 0.0}, {"luminance_p1", 0.01}, {"luminance_p50", 0.5},
-                                      {"luminance_p99", 0.99}, {"luminance_max", 1.0}})
+        for (const auto& [name, p] : {std::pair{"luminance_min", 0.0},
+                                      {"luminance_p1", 0.01},
+                                      {"luminance_p50", 0.5},
+                                      {"luminance_p99", 0.99},
+                                      {"luminance_max", 1.0}})
           table.add({name, quantile(luminances, p), "1", columns});
       },
       any);
-  if (const auto* scene = std::get_if<SceneImage>(&any)) add_repair_rows(table, count_defects(*scene), columns);
+  if (const auto* scene = std::get_if<SceneImage>(&any))
+    add_repair_rows(table, count_defects(*scene), columns);
   return table;
 }
 
@@ -127,7 +131,8 @@ void add_info_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
   add_common_options(app, options->common);
   app.footer(
-      "A light field whose disparity does not fit its views (wrong sign, axis or scale) ends with exit status 1.\n"
+      "A light field whose disparity does not fit its views (wrong sign, axis or scale) ends with exit "
+      "status 1.\n"
       "Example: plenolab info results/cellar");
   app.callback([options, &invocation] { run_info(invocation, *options); });
 }

@@ -8,7 +8,7 @@
 #include "experiments/cli/arguments.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
-#include "metrics/table.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 
@@ -21,27 +21,6 @@ struct MetricOptions {
   double exposure = 0, cd_m2_per_unit = 1;
 };
 
-void add_measurements(ResultTable& table, const Metric& metric, const std::vector<Measurement>& measurements) {
-  for (const Measurement& m : measurements) table.add({m.quantity, m.value, m.unit, {{"metric", metric.name}}});
-}
-
-ResultTable compare(const SceneImage& test, const SceneImage& reference, const std::vector<const Metric*>& chosen,
-                    const ComparisonConditions& conditions) {
-  ResultTable table;
-  for (const Metric* metric : chosen)
-    if (metric->compare_scene) add_measurements(table, *metric, metric->compare_scene(test, reference, conditions));
-  return table;
-}
-
-ResultTable compare(const DisplayImage& test, const DisplayImage& reference, const std::vector<const Metric*>& chosen,
-                    const ComparisonConditions& conditions) {
-  ResultTable table;
-  for (const Metric* metric : chosen)
-    if (metric->compare_display)
-      add_measurements(table, *metric, metric->compare_display(test, reference, conditions));
-  return table;
-}
-
 void run_metric(const Invocation& invocation, const MetricOptions& options) {
   const auto chosen = select_metrics(split_list(options.names));
   Provenance provenance = begin_run(invocation, options.common);
@@ -50,22 +29,26 @@ void run_metric(const Invocation& invocation, const MetricOptions& options) {
   const AnyImage reference = read_any_image(options.reference);
   const AnyImage test = read_any_image(options.test);
   if (reference.index() != test.index())
-    throw InputError(fmt::format("{} and {} cannot be compared: one is scene-referred, the other display-referred",
-                                 options.reference, options.test));
+    throw InputError(
+        fmt::format("{} and {} cannot be compared: one is scene-referred, the other display-referred",
+                    options.reference, options.test));
   ComparisonConditions conditions;
   conditions.cd_m2_per_unit = options.cd_m2_per_unit;
   conditions.threads = options.common.threads;
-  ResultTable table;
+  std::vector<Measurement> measurements;
   if (const auto* scene = std::get_if<SceneImage>(&reference)) {
     conditions.exposure = options.exposure > 0 ? static_cast<float>(options.exposure) : exposure_from(*scene);
-    table = compare(std::get<SceneImage>(test), *scene, chosen, conditions);
+    measurements = measure(std::get<SceneImage>(test), *scene, chosen, conditions);
   } else {
-    table = compare(std::get<DisplayImage>(test), std::get<DisplayImage>(reference), chosen, conditions);
+    measurements =
+        measure(std::get<DisplayImage>(test), std::get<DisplayImage>(reference), chosen, conditions);
   }
   provenance.parameters["exposure"] = conditions.exposure;
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
-  if (table.empty())
+  if (measurements.empty())
     throw InputError(fmt::format("none of the metrics '{}' takes this kind of image", options.names));
+  ResultTable table;
+  add_measurement_rows(table, measurements, {{"test", options.test}, {"reference", options.reference}});
   emit_results(table, provenance, options.common);
 }
 

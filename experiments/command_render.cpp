@@ -39,7 +39,8 @@ ViewGrid requested_grid(const Scene& scene, Preset preset, const RenderOptions& 
 
 void add_pruned_rows(ResultTable& table, const std::string& scene, const std::vector<PrunedStage>& pruned) {
   for (const PrunedStage& stage : pruned)
-    table.add({"stage_left_out", 1, "1", {{"scene", scene}, {"stage", stage.stage}, {"reason", stage.reason}}});
+    table.add(
+        {"stage_left_out", 1, "1", {{"scene", scene}, {"stage", stage.stage}, {"reason", stage.reason}}});
 }
 
 void render_one_view(const Scene& scene, const ViewGrid& grid, const RenderSettings& settings,

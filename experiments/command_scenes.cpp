@@ -11,7 +11,8 @@ namespace plenolab {
 
 namespace {
 
-void add_preset_rows(ResultTable& table, const Scene& scene, const char* preset_name, const GridPreset& preset) {
+void add_preset_rows(ResultTable& table, const Scene& scene, const char* preset_name,
+                     const GridPreset& preset) {
   const auto add = [&](const char* quantity, double value, const char* unit) {
     table.add({quantity, value, unit, {{"scene", scene.id}, {"preset", std::string(preset_name)}}});
   };
@@ -37,8 +38,8 @@ void run_scenes(const Invocation& invocation, const CommonOptions& options) {
     const Scene scene = entry.build();
     add_preset_rows(table, scene, "quick", scene.quick);
     add_preset_rows(table, scene, "paper", scene.paper);
-    text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} quick: {}\n{:<15} paper: {}\n\n", scene.id, scene.title, "",
-                        scene.description, "", preset_line(scene.quick), "", preset_line(scene.paper));
+    text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} quick: {}\n{:<15} paper: {}\n\n", scene.id, scene.title,
+                        "", scene.description, "", preset_line(scene.quick), "", preset_line(scene.paper));
   }
   if (options.json.empty() && options.csv.empty()) {
     fmt::print("{}", text);

@@ -20,8 +20,10 @@ std::span<const Command> commands() {
   static constexpr std::array kCommands{
       Command{"scenes", "List the scenes there are to render", add_scenes_command},
       Command{"render", "Render a scene as a light field, or one view of it", add_render_command},
-      Command{"info", "Profile and photometric self-check of a light field; statistics of an image", add_info_command},
-      Command{"convert", "Convert HCI folders, bare EXR folders and light fields into each other", add_convert_command},
+      Command{"info", "Profile and photometric self-check of a light field; statistics of an image",
+              add_info_command},
+      Command{"convert", "Convert HCI folders, bare EXR folders and light fields into each other",
+              add_convert_command},
       Command{"synth", "Synthesise one novel view", add_synth_command},
       Command{"video", "Synthesise the frames of a camera path", add_video_command},
       Command{"epi", "Cut an epipolar-plane image out of a sequence of frames", add_epi_command},
@@ -29,7 +31,8 @@ std::span<const Command> commands() {
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
               add_evaluate_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
-      Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report", add_reproduce_command},
+      Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report",
+              add_reproduce_command},
   };
   return kCommands;
 }

@@ -11,7 +11,9 @@ namespace {
 constexpr int kFailed = 1;
 constexpr int kWrongUse = 2;
 
-void say(const std::string& message) { fmt::print(stderr, "plenolab: {}\n", message); }
+void say(const std::string& message) {
+  fmt::print(stderr, "plenolab: {}\n", message);
+}
 
 int run(int argc, char** argv) {
   plenolab::Invocation invocation{{argv, argv + argc}};

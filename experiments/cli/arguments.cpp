@@ -26,7 +26,9 @@ bool parse_number(const std::string& text, double& value) {
   return error == std::errc{} && end == text.data() + text.size() && std::isfinite(value);
 }
 
-double distance(CameraPosition a, CameraPosition b) { return std::hypot(b.s - a.s, b.t - a.t); }
+double distance(CameraPosition a, CameraPosition b) {
+  return std::hypot(b.s - a.s, b.t - a.t);
+}
 
 CameraPosition between(CameraPosition a, CameraPosition b, double share) {
   return {a.s + (b.s - a.s) * share, a.t + (b.t - a.t) * share};
@@ -47,7 +49,8 @@ CameraPosition parse_position(const std::string& text) {
   const auto parts = split(text, ',');
   CameraPosition position;
   if (parts.size() != 2 || !parse_number(parts[0], position.s) || !parse_number(parts[1], position.t))
-    throw UsageError(fmt::format("'{}' is not a camera position: give S,T in view spacings, e.g. 1.5,0.5", text));
+    throw UsageError(
+        fmt::format("'{}' is not a camera position: give S,T in view spacings, e.g. 1.5,0.5", text));
   return position;
 }
 
@@ -62,7 +65,8 @@ std::vector<CameraPosition> parse_path(const std::string& text, int frames) {
   std::vector<CameraPosition> positions;
   for (int i = 0; i < frames; ++i) {
     const bool last = i + 1 == frames && frames > 1;
-    positions.push_back(last ? corners.back() : point_at(corners, frames > 1 ? length * i / (frames - 1) : 0));
+    positions.push_back(last ? corners.back()
+                             : point_at(corners, frames > 1 ? length * i / (frames - 1) : 0));
   }
   return positions;
 }

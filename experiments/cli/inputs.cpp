@@ -23,28 +23,33 @@ std::string lower_extension(const fs::path& path) {
 }  // namespace
 
 AnyLightField open_any_light_field(const fs::path& folder, int memory_mib) {
-  if (memory_mib < 1) throw UsageError(fmt::format("the memory bound must be at least 1 MiB, not {}", memory_mib));
+  if (memory_mib < 1)
+    throw UsageError(fmt::format("the memory bound must be at least 1 MiB, not {}", memory_mib));
   const std::size_t bound = static_cast<std::size_t>(memory_mib) << 20;
   if (!fs::exists(folder)) throw InputError(fmt::format("{} does not exist", folder.string()));
   if (!fs::is_directory(folder))
-    throw InputError(fmt::format("{} is not a folder: give the folder that holds lightfield.json", folder.string()));
+    throw InputError(
+        fmt::format("{} is not a folder: give the folder that holds lightfield.json", folder.string()));
   if (is_light_field_folder(folder)) {
     if (light_field_kind(folder) == RadianceKind::kDisplayReferred)
       return open_display_light_field(folder, {.memory_bound_bytes = bound});
     return open_light_field(folder, {.memory_bound_bytes = bound});
   }
   if (is_hci_folder(folder)) return import_hci(folder, {.memory_bound_bytes = bound});
-  throw InputError(fmt::format(
-      "{} holds neither lightfield.json nor an HCI parameters.cfg: a bare folder of EXRs becomes a light field with "
-      "'plenolab convert'",
-      folder.string()));
+  throw InputError(
+      fmt::format("{} holds neither lightfield.json nor an HCI parameters.cfg: a bare folder of EXRs becomes "
+                  "a light field with "
+                  "'plenolab convert'",
+                  folder.string()));
 }
 
 const ViewGrid& grid_of(const AnyLightField& light_field) {
   return std::visit([](const auto& field) -> const ViewGrid& { return field.grid(); }, light_field);
 }
 
-bool is_display_file(const fs::path& path) { return lower_extension(path) == ".png"; }
+bool is_display_file(const fs::path& path) {
+  return lower_extension(path) == ".png";
+}
 
 AnyImage read_any_image(const fs::path& path) {
   if (is_display_file(path)) return read_display_image(path);
@@ -53,7 +58,8 @@ AnyImage read_any_image(const fs::path& path) {
 
 std::vector<fs::path> image_files(const fs::path& folder) {
   static constexpr std::array kExtensions{".exr", ".hdr", ".pfm", ".png"};
-  if (!fs::is_directory(folder)) throw InputError(fmt::format("{} is not a folder of frames", folder.string()));
+  if (!fs::is_directory(folder))
+    throw InputError(fmt::format("{} is not a folder of frames", folder.string()));
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string extension = lower_extension(entry.path());

@@ -12,8 +12,8 @@ namespace plenolab {
 /// A light field of either meaning, as found on disk.
 using AnyLightField = std::variant<LightField, DisplayLightField>;
 
-/// Opens a light field folder or an HCI benchmark folder with at most `memory_mib` MiB of views in memory. Throws
-/// InputError if the folder is neither.
+/// Opens a light field folder or an HCI benchmark folder with at most `memory_mib` MiB of views in memory.
+/// Throws InputError if the folder is neither.
 AnyLightField open_any_light_field(const std::filesystem::path& folder, int memory_mib = 2048);
 
 const ViewGrid& grid_of(const AnyLightField& light_field);

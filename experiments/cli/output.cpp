@@ -27,17 +27,22 @@ Provenance begin_run(const Invocation& invocation, const CommonOptions& options)
   return provenance;
 }
 
-void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
+void write_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
   finish_provenance(provenance);
-  const std::string json = results_to_json_text(provenance_to_json(provenance), results);
-  if (options.json == "-") {
-    fmt::print("{}", json);
-  } else {
-    fmt::print("{}", to_text(results));
-    if (!options.json.empty()) write_text_file(options.json, json);
+  if (!options.json.empty()) {
+    const std::string json = results_to_json_text(provenance_to_json(provenance), results);
+    if (options.json == "-")
+      fmt::print("{}", json);
+    else
+      write_text_file(options.json, json);
   }
   if (!options.csv.empty()) write_text_file(options.csv, to_csv(results));
   if (std::fflush(stdout) != 0) throw InputError("cannot write the results to standard output");
+}
+
+void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
+  if (options.json != "-") fmt::print("{}", to_text(results));
+  write_results(results, provenance, options);
 }
 
 void tell(const CommonOptions& options, const std::string& line) {

@@ -25,9 +25,13 @@ struct CommonOptions {
 /// Declares --json, --csv, --seed and --threads.
 void add_common_options(CLI::App& app, CommonOptions& options);
 
-/// Prints the results as a table for people on stdout (unless JSON goes there) and writes the JSON and CSV that were
-/// asked for. Finishes `provenance`.
+/// Prints the results as a table for people on stdout (unless JSON goes there) and writes the JSON and CSV
+/// that were asked for. Finishes `provenance`.
 void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options);
+
+/// Writes the JSON and CSV that were asked for, and nothing for people: for commands that print a table of
+/// their own.
+void write_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options);
 
 /// Starts the provenance of a command with its common options.
 Provenance begin_run(const Invocation& invocation, const CommonOptions& options);
@@ -38,7 +42,8 @@ void tell(const CommonOptions& options, const std::string& line);
 /// Writes `file`'s provenance beside it as FILE.run.json, for results that are single files.
 void write_run_json_beside(const std::filesystem::path& file, Provenance& provenance);
 
-/// Folder for rendered views: --cache, else $PLENOLAB_CACHE, else $XDG_CACHE_HOME/plenolab, else ~/.cache/plenolab.
+/// Folder for rendered views: --cache, else $PLENOLAB_CACHE, else $XDG_CACHE_HOME/plenolab, else
+/// ~/.cache/plenolab.
 std::filesystem::path render_cache_folder(const std::string& option);
 
 }  // namespace plenolab

@@ -28,7 +28,8 @@ void ProgressBar::update(double share_done) {
   const int filled = static_cast<int>(share * kWidth);
   const std::string left =
       share > 0.01 ? format_duration(elapsed_s * (1 - share) / share) + " left" : std::string("estimating");
-  fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}", label_, std::string(static_cast<std::size_t>(filled), '#'),
+  fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}", label_,
+             std::string(static_cast<std::size_t>(filled), '#'),
              std::string(static_cast<std::size_t>(kWidth - filled), '.'), share * 100, left);
   std::fflush(stderr);
 }

@@ -7,8 +7,8 @@
 
 namespace plenolab {
 
-/// One line on stderr with share done and time left, redrawn in place; silent when stderr is not a terminal, so logs
-/// and pipes stay clean. The line disappears with the object.
+/// One line on stderr with share done and time left, redrawn in place; silent when stderr is not a terminal,
+/// so logs and pipes stay clean. The line disappears with the object.
 class ProgressBar {
  public:
   explicit ProgressBar(std::string label);

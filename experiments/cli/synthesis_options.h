@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+#include "core/synthesis/options.h"
+
+namespace CLI {
+class App;
+}
+
+namespace plenolab {
+
+/// Declares the options of a synthesis (--camera, --screen-depth, --search, --step, …) on a command, each
+/// with the default of SynthesisOptions. `options` must live until the command has run.
+void add_synthesis_options(CLI::App& app, SynthesisOptions& options);
+
+}  // namespace plenolab

@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/image/colour.h"
+#include "core/io/image_file.h"
+#include "core/synthesis/visibility_map.h"
+#include "experiments/cli/arguments.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/cli/synthesis_options.h"
+#include "experiments/cli/wide_table.h"
+#include "experiments/evaluate.h"
+#include "experiments/score.h"
+#include "metrics/error_map.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct EvaluateCommandOptions {
+  CommonOptions common;
+  EvaluateOptions evaluate;
+  std::string folder, out;
+  std::string strides = "2";
+  int memory_mib = 2048;
+};
+
+DisplayImage displayable(const SceneImage& image, float exposure) {
+  return expose(image, exposure);
+}
+DisplayImage displayable(const DisplayImage& image, float) {
+  return image;
+}
+
+template <class Referral>
+void write_pictures(const fs::path& folder, const EvaluatedView<Referral>& view) {
+  const std::string stem = fmt::format("view_r{:02}_c{:02}", view.row, view.column);
+  const DisplayImage captured = displayable(view.captured, view.exposure);
+  const DisplayImage synthesised = displayable(view.synthesised.image, view.exposure);
+  write_display_image(folder / (stem + "_captured.png"), captured);
+  write_display_image(folder / (stem + "_synthesised.png"), synthesised);
+  write_display_image(folder / (stem + "_error.png"), error_map(synthesised, captured, {}));
+  write_display_image(folder / (stem + "_visibility.png"), visibility_map(view.synthesised));
+}
+
+std::vector<int> parse_strides(const std::string& text) {
+  std::vector<int> strides;
+  for (const std::string& part : split_list(text)) {
+    int stride = 0;
+    const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), stride);
+    if (error != std::errc{} || end != part.data() + part.size() || stride < 2)
+      throw UsageError(fmt::format("'{}' is not a list of key strides of 2 or more, e.g. 2,4", text));
+    strides.push_back(stride);
+  }
+  if (strides.empty()) throw UsageError("give at least one key stride, e.g. --key-stride 2");
+  return strides;
+}
+
+template <class Referral>
+ResultTable evaluate_stride(const BasicLightField<Referral>& field, const EvaluateCommandOptions& options,
+                            int stride) {
+  EvaluateOptions evaluate_options = options.evaluate;
+  evaluate_options.key_stride = stride;
+  evaluate_options.synthesis.threads = options.common.threads;
+  const fs::path pictures =
+      options.out.empty() ? fs::path() : fs::path(options.out) / fmt::format("stride_{}", stride);
+  ProgressBar bar(fmt::format("key stride {}", stride));
+  return evaluate<Referral>(field, evaluate_options, bar.callback(),
+                            [&](const EvaluatedView<Referral>& view) {
+                              if (!pictures.empty()) write_pictures(pictures, view);
+                            });
+}
+
+void print_for_people(const ResultTable& table) {
+  fmt::print("{}", to_wide_text(table, {"key_stride", "view"},
+                                {{"psnr_gamma_db", "PSNR gamma [dB]"},
+                                 {"psnr_linear_db", "PSNR linear [dB]"},
+                                 {"psnr_pq_db", "PSNR PQ [dB]"},
+                                 {"ssim_gamma", "SSIM"},
+                                 {"share_above_threshold", "visible difference"},
+                                 {"unseen_pixels", "unseen [px]"},
+                                 {"unseen_share", "unseen share"},
+                                 {"views_scored", "views"},
+                                 {"key_views", "key views"}}));
+}
+
+void run_evaluate(const Invocation& invocation, const EvaluateCommandOptions& options) {
+  const std::vector<int> strides = parse_strides(options.strides);
+  if (!options.out.empty() && fs::exists(options.out) && !fs::is_empty(options.out))
+    throw InputError(
+        fmt::format("{} exists and is not empty: give a new folder for the pictures", options.out));
+  Provenance provenance = begin_run(invocation, options.common);
+  const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
+  add_input(provenance, options.folder);
+  ResultTable table;
+  for (const int stride : strides)
+    std::visit([&](const auto& field) { table.append(evaluate_stride(field, options, stride)); }, any);
+  finish_provenance(provenance);
+  if (!options.out.empty()) {
+    write_text_file(fs::path(options.out) / "results.csv", to_csv(table));
+    write_run_json(provenance, options.out);
+  }
+  if (options.common.json != "-") print_for_people(table);
+  write_results(table, provenance, options.common);
+  if (!options.out.empty())
+    tell(options.common, fmt::format("wrote pictures and results.csv to {}", options.out));
+}
+
+}  // namespace
+
+void add_evaluate_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<EvaluateCommandOptions>();
+  app.add_option("folder", options->folder, "Folder of a captured or imported light field")->required();
+  app.add_option("--key-stride", options->strides,
+                 "Take every K-th view as key view and synthesise the others; several as K1,K2")
+      ->capture_default_str();
+  app.add_option("-o,--out", options->out,
+                 "Also write pictures of every view (captured, synthesised, error, visibility)");
+  app.add_option("--exposure", options->evaluate.exposure,
+                 "Scale before gamma encoding (default: from the middle view)")
+      ->check(CLI::PositiveNumber);
+  app.add_option("--cd-m2-per-unit", options->evaluate.cd_m2_per_unit,
+                 "Luminance of a pixel value of 1, for PQ")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+  add_synthesis_options(app, options->evaluate.synthesis);
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab evaluate captured --key-stride 2,4 -o results/evaluation");
+  app.callback([options, &invocation] { run_evaluate(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,126 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/image/colour.h"
+#include "core/io/exr.h"
+#include "core/io/image_file.h"
+#include "core/synthesis/synthesizer.h"
+#include "experiments/cli/arguments.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/cli/synthesis_options.h"
+#include "experiments/score.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct VideoOptions {
+  CommonOptions common;
+  SynthesisOptions synthesis;
+  std::string folder, path, out;
+  std::string format = "exr";
+  int frames = 60;
+  double exposure = 0;
+  int memory_mib = 2048;
+};
+
+/// One exposure for all frames: that of the middle key view.
+float video_exposure(const LightField& field, double requested) {
+  if (requested > 0) return static_cast<float>(requested);
+  return exposure_from(field.view(field.grid().columns / 2, field.grid().rows / 2)->colour);
+}
+
+void write_frames(
+    const LightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
+    const std::function<void(std::size_t, const fs::path&, const NovelView<SceneReferred>&)>& written) {
+  const bool png = options.format == "png";
+  const float exposure = png ? video_exposure(field, options.exposure) : 1;
+  Synthesizer(field).synthesize_sequence(
+      positions, options.synthesis, [&](std::size_t index, NovelView<SceneReferred>&& view) {
+        const fs::path file = fs::path(options.out) / fmt::format("frame_{:04}.{}", index, options.format);
+        if (png)
+          write_display_image(file, expose(view.image, exposure));
+        else
+          write_exr(file, view.image, {}, {.colour_type = ExrPixelType::kFloat});
+        written(index, file, view);
+      });
+}
+
+void write_frames(
+    const DisplayLightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
+    const std::function<void(std::size_t, const fs::path&, const NovelView<DisplayReferred>&)>& written) {
+  DisplaySynthesizer(field).synthesize_sequence(
+      positions, options.synthesis, [&](std::size_t index, NovelView<DisplayReferred>&& view) {
+        const fs::path file = fs::path(options.out) / fmt::format("frame_{:04}.png", index);
+        write_display_image(file, view.image);
+        written(index, file, view);
+      });
+}
+
+void run_video(const Invocation& invocation, VideoOptions& options) {
+  const std::vector<CameraPosition> positions = parse_path(options.path, options.frames);
+  options.synthesis.threads = options.common.threads;
+  if (fs::exists(options.out) && !fs::is_empty(options.out))
+    throw InputError(
+        fmt::format("{} exists and is not empty: give a new folder for the frames", options.out));
+  Provenance provenance = begin_run(invocation, options.common);
+  const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
+  add_input(provenance, options.folder);
+  for (const CameraPosition& p : positions)
+    if (!grid_of(any).contains(p))
+      throw InputError(fmt::format("the path leaves the grid at {:g},{:g}: it ends at {},{}", p.s, p.t,
+                                   grid_of(any).columns - 1, grid_of(any).rows - 1));
+  ResultTable table;
+  ProgressBar bar("synthesising");
+  std::visit(
+      [&](const auto& field) {
+        write_frames(
+            field, positions, options, [&](std::size_t index, const fs::path& file, const auto& view) {
+              const Columns columns{{"frame", static_cast<long long>(index)},
+                                    {"file", file.filename().string()},
+                                    {"s", view.position.s},
+                                    {"t", view.position.t}};
+              table.add({"unseen_pixels", static_cast<double>(view.unseen_pixels), "px", columns});
+              table.add({"seconds_synthesis", view.timings.total_s - view.timings.prepare_s, "s", columns});
+              bar.update(static_cast<double>(index + 1) / static_cast<double>(positions.size()));
+            });
+      },
+      any);
+  finish_provenance(provenance);
+  write_run_json(provenance, options.out);
+  write_text_file(fs::path(options.out) / "frames.csv", to_csv(table));
+  tell(options.common, fmt::format("wrote {} frames to {}", positions.size(), options.out));
+  if (!options.common.json.empty() || !options.common.csv.empty())
+    emit_results(table, provenance, options.common);
+}
+
+}  // namespace
+
+void add_video_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<VideoOptions>();
+  app.add_option("folder", options->folder, "Folder of the light field")->required();
+  app.add_option("--path", options->path, "Camera path S0,T0:S1,T1[:S2,T2...]")->required();
+  app.add_option("--frames", options->frames, "Frames along the path, both ends included")
+      ->check(CLI::Range(1, 100000))
+      ->capture_default_str();
+  app.add_option("-o,--out", options->out, "Folder for frame_0000.exr, ... and frames.csv")->required();
+  app.add_option("--format", options->format,
+                 "exr keeps radiance, png is exposed for display at one exposure")
+      ->check(CLI::IsMember({"exr", "png"}))
+      ->capture_default_str();
+  app.add_option("--exposure", options->exposure, "Exposure of .png frames")->check(CLI::PositiveNumber);
+  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+  add_synthesis_options(app, options->synthesis);
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab video results/cellar --path 0,1:4,1 --frames 60 -o frames");
+  app.callback([options, &invocation] { run_video(invocation, *options); });
+}
+
+}  // namespace plenolab
