@@ -1,0 +1,127 @@
+#include "experiments/reproduce/laboratory.h"
+
+#include <algorithm>
+#include <optional>
+
+#include "stimuli/scenes/table.h"
+
+namespace plenolab {
+
+struct Laboratory::SceneState {
+  Scene scene;
+  std::optional<PreparedScene> prepared;
+  std::optional<LightField> light_field;
+  std::optional<Synthesizer> synthesizer;
+};
+
+const char* name_of(Effort effort) {
+  switch (effort) {
+    case Effort::kTiny: return "tiny";
+    case Effort::kQuick: return "quick";
+    case Effort::kPaper: return "paper";
+  }
+  return "";
+}
+
+Laboratory::Laboratory(LaboratoryOptions options) : options_(std::move(options)) {}
+Laboratory::~Laboratory() = default;
+
+std::vector<std::string> Laboratory::scene_ids() const {
+  std::vector<std::string> ids;
+  for (const SceneEntry& entry : scenes()) ids.emplace_back(entry.id);
+  return ids;
+}
+
+Laboratory::SceneState& Laboratory::state(const std::string& id) {
+  std::unique_ptr<SceneState>& state = scenes_[id];
+  if (!state) state = std::make_unique<SceneState>(SceneState{build_scene(id), {}, {}, {}});
+  return *state;
+}
+
+const Scene& Laboratory::scene(const std::string& id) { return state(id).scene; }
+
+ViewGrid Laboratory::grid(const std::string& id) {
+  const Scene& s = scene(id);
+  if (options_.effort == Effort::kPaper) return grid_of(s, Preset::kPaper);
+  ViewGrid grid = grid_of(s, Preset::kQuick);
+  if (options_.effort == Effort::kTiny) {
+    grid.columns = std::min(grid.columns, 3);
+    grid.rows = std::min(grid.rows, 3);
+    grid.height = std::max(1, grid.height * 96 / grid.width);
+    grid.width = 96;
+  }
+  return grid;
+}
+
+int Laboratory::paths_per_pixel(const std::string& id) {
+  if (options_.effort == Effort::kTiny) return kBlockSamples;
+  return preset_of(scene(id), options_.effort == Effort::kPaper ? Preset::kPaper : Preset::kQuick).paths_per_pixel;
+}
+
+KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, const ViewGrid& grid,
+                                                   CameraPosition position, int paths_per_pixel) {
+  RenderSettings settings;
+  settings.paths_per_pixel = options_.effort == Effort::kTiny ? kBlockSamples : paths_per_pixel;
+  settings.seed = options_.seed;
+  settings.threads = options_.threads;
+  CachedView view = render_view_cached(scene, grid, position, settings, options_.cache);
+  ++(view.from_cache ? tally_.from_cache : tally_.rendered);
+  tally_.seconds += view.rendered.stats.seconds;
+  tally_.rays += view.rendered.stats.rays();
+  return std::move(view.rendered.view);
+}
+
+LightField Laboratory::light_field(const std::string& id) {
+  SceneState& s = state(id);
+  if (!s.light_field) {
+    if (!s.prepared) s.prepared.emplace(s.scene);
+    const ViewGrid views = grid(id);
+    const int paths = paths_per_pixel(id);
+    s.light_field.emplace(views, RadianceUnit::kCdM2, id, [this, &s, views, paths](int column, int row) {
+      return render_prepared(*s.prepared, views, {static_cast<double>(column), static_cast<double>(row)}, paths);
+    });
+  }
+  return *s.light_field;
+}
+
+const Synthesizer& Laboratory::synthesizer(const std::string& id) {
+  SceneState& s = state(id);
+  if (!s.synthesizer) s.synthesizer.emplace(light_field(id));
+  return *s.synthesizer;
+}
+
+KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition position) {
+  SceneState& s = state(id);
+  if (!s.prepared) s.prepared.emplace(s.scene);
+  return render_prepared(*s.prepared, grid(id), position, paths_per_pixel(id));
+}
+
+const PreparedScene& Laboratory::prepared(const Scene& scene) {
+  const std::string key = scene.id + '\n' + scene.variant;
+  const auto found = prepared_variants_.find(key);
+  return found != prepared_variants_.end() ? found->second : prepared_variants_.emplace(key, scene).first->second;
+}
+
+KeyView<SceneReferred> Laboratory::render(const Scene& scene, const ViewGrid& grid, CameraPosition position,
+                                          int paths_per_pixel) {
+  return render_prepared(prepared(scene), grid, position, paths_per_pixel);
+}
+
+LightField Laboratory::render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel) {
+  std::vector<KeyView<SceneReferred>> views;
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      views.push_back(render(scene, grid, {static_cast<double>(column), static_cast<double>(row)}, paths_per_pixel));
+  const std::string name = scene.variant.empty() ? scene.id : scene.id + " (" + scene.variant + ")";
+  return LightField::from_views(grid, RadianceUnit::kCdM2, name, std::move(views));
+}
+
+ViewGrid Laboratory::scaled(ViewGrid grid) const {
+  if (options_.effort == Effort::kTiny) {
+    grid.width = std::max(1, grid.width / 3);
+    grid.height = std::max(1, grid.height / 3);
+  }
+  return grid;
+}
+
+}  // namespace plenolab

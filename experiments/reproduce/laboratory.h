@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/synthesis/synthesizer.h"
+#include "stimuli/render_cache.h"
+
+namespace plenolab {
+
+/// How large a reproduction is run.
+enum class Effort {
+  kTiny,   ///< a check that everything works: 3×3 views of 96 px, noisy; its numbers mean nothing
+  kQuick,  ///< every scene's quick preset: minutes on two cores
+  kPaper,  ///< every scene's paper preset: the thesis' grids, hours to days on two cores
+};
+
+/// "tiny", "quick" or "paper".
+const char* name_of(Effort effort);
+
+struct LaboratoryOptions {
+  Effort effort = Effort::kQuick;
+  std::filesystem::path cache;  ///< folder of rendered views
+  std::uint64_t seed = 1;
+  int threads = 0;
+  Progress progress;  ///< share of the views announced so far that are there
+};
+
+/// How much rendering a run has caused.
+struct RenderingTally {
+  int rendered = 0, from_cache = 0;
+  double seconds = 0;
+  std::uint64_t rays = 0;
+};
+
+/// What all reproductions of one run share: scenes, their light fields and ground truth, rendered once and cached.
+class Laboratory {
+ public:
+  explicit Laboratory(LaboratoryOptions options);
+  ~Laboratory();
+
+  const LaboratoryOptions& options() const { return options_; }
+
+  /// Ids of all scenes of the table, in its order.
+  std::vector<std::string> scene_ids() const;
+  const Scene& scene(const std::string& id);
+  /// The grid at which the scene is recorded in this run.
+  ViewGrid grid(const std::string& id);
+  /// Paths per pixel of the scene's views in this run.
+  int paths_per_pixel(const std::string& id);
+  LightField light_field(const std::string& id);
+  const Synthesizer& synthesizer(const std::string& id);
+  /// The rendered view at a position of the scene's grid.
+  KeyView<SceneReferred> truth(const std::string& id, CameraPosition position);
+
+  /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16, lowered to
+  /// 16 in a tiny run.
+  KeyView<SceneReferred> render(const Scene& scene, const ViewGrid& grid, CameraPosition position, int paths_per_pixel);
+  /// All key views of such a scene, rendered at once.
+  LightField render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel);
+  /// The probe grid for this effort: `grid` itself, or a third of its image size in a tiny run.
+  ViewGrid scaled(ViewGrid grid) const;
+
+  const RenderingTally& tally() const { return tally_; }
+
+ private:
+  struct SceneState;
+  SceneState& state(const std::string& id);
+  const PreparedScene& prepared(const Scene& scene);
+  KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,
+                                         int paths_per_pixel);
+
+  LaboratoryOptions options_;
+  std::map<std::string, std::unique_ptr<SceneState>> scenes_;
+  std::map<std::string, PreparedScene> prepared_variants_;
+  RenderingTally tally_;
+};
+
+}  // namespace plenolab
