@@ -18,13 +18,16 @@ double focal_length_px(const ViewGrid& grid) {
 
 void ViewGrid::validate() const {
   if (columns < 1 || rows < 1)
-    throw InputError(fmt::format("a light field needs at least one column and row, not {} × {}", columns, rows));
+    throw InputError(
+        fmt::format("a light field needs at least one column and row, not {} × {}", columns, rows));
   if (!(spacing_x_m > 0 && spacing_y_m > 0 && std::isfinite(spacing_x_m) && std::isfinite(spacing_y_m)))
-    throw InputError(fmt::format("the view spacing must be positive metres, not {} × {}", spacing_x_m, spacing_y_m));
+    throw InputError(
+        fmt::format("the view spacing must be positive metres, not {} × {}", spacing_x_m, spacing_y_m));
   if (width < 1 || height < 1)
     throw InputError(fmt::format("the views must have at least one pixel, not {} × {}", width, height));
   if (!(fov_h_deg > 0 && fov_h_deg < 180))
-    throw InputError(fmt::format("the horizontal opening angle must lie in (0, 180) degrees, not {}", fov_h_deg));
+    throw InputError(
+        fmt::format("the horizontal opening angle must lie in (0, 180) degrees, not {}", fov_h_deg));
 }
 
 double ViewGrid::disparity_px(double depth_m) const {
