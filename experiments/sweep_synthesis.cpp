@@ -30,7 +30,9 @@ struct Outcome {
   double rms_error() const { return std::pow(10.0, -psnr_db / 20); }
 };
 
-const char* name_of(SearchKind search) { return search == SearchKind::kLinear ? "linear" : "fast"; }
+const char* name_of(SearchKind search) {
+  return search == SearchKind::kLinear ? "linear" : "fast";
+}
 
 std::vector<Setting> settings_of(const SynthesisSweepOptions& options) {
   std::vector<Setting> settings;
@@ -43,13 +45,14 @@ std::vector<Setting> settings_of(const SynthesisSweepOptions& options) {
 /// Memory that one synthesis holds: four key views with disparity, their prepared form, and the result.
 double held_memory_mib(const Synthesizer& synthesizer, const NovelView<SceneReferred>& view) {
   const double pixels = static_cast<double>(view.image.size());
-  const double key_view_bytes = pixels * (sizeof(Rgb) + sizeof(float)) * static_cast<double>(view.views.size());
+  const double key_view_bytes =
+      pixels * (sizeof(Rgb) + sizeof(float)) * static_cast<double>(view.views.size());
   const double result_bytes = pixels * (sizeof(Rgb) + 1 + 2 * sizeof(unsigned char));
   return (key_view_bytes + static_cast<double>(synthesizer.prepared_bytes()) + result_bytes) / 0x1p20;
 }
 
-Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths, const Setting& setting,
-                    const SynthesisSweepOptions& options) {
+Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths,
+                    const Setting& setting, const SynthesisSweepOptions& options) {
   SynthesisOptions synthesis;
   synthesis.search = setting.search;
   synthesis.step_px = setting.step_px;
@@ -65,7 +68,8 @@ Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>
     conditions.exposure = exposure_from(truths[i]);
     conditions.threads = options.threads;
     psnrs.push_back(value_of(psnr_gamma(view.image, truths[i], conditions), "psnr_gamma_db"));
-    outcome.samples_per_search += view.statistics.samples_per_search() / static_cast<double>(stimulus.positions.size());
+    outcome.samples_per_search +=
+        view.statistics.samples_per_search() / static_cast<double>(stimulus.positions.size());
     outcome.memory_mib = std::max(outcome.memory_mib, held_memory_mib(synthesizer, view));
     for (int run = 0; run < options.runs; ++run) {
       const Stopwatch watch;
@@ -101,7 +105,9 @@ void add_rows(ResultTable& table, const SweepStimulus& stimulus, const std::vect
   }
 }
 
-std::map<std::string, Cell> columns_of(const ResultRow& row) { return {row.columns.begin(), row.columns.end()}; }
+std::map<std::string, Cell> columns_of(const ResultRow& row) {
+  return {row.columns.begin(), row.columns.end()};
+}
 
 }  // namespace
 
@@ -135,12 +141,14 @@ Plot plot_synthesis_sweep(const ResultTable& rows, const std::string& scene, int
   std::map<std::string, std::map<double, PlotPoint>> series;
   for (const ResultRow& row : rows.rows()) {
     const auto columns = columns_of(row);
-    if (std::get<std::string>(columns.at("scene")) != scene || std::get<long long>(columns.at("width")) != width)
+    if (std::get<std::string>(columns.at("scene")) != scene ||
+        std::get<long long>(columns.at("width")) != width)
       continue;
     const double step_px = std::get<double>(columns.at("step_px"));
     const long long views = std::get<long long>(columns.at("key_views"));
-    const std::string title = fmt::format("{} search, {} key view{}", std::get<std::string>(columns.at("search")), views,
-                                          views == 1 ? "" : "s");
+    const std::string title =
+        fmt::format("{} search, {} key view{}", std::get<std::string>(columns.at("search")), views,
+                    views == 1 ? "" : "s");
     PlotPoint& point = series[title][step_px];
     if (row.quantity == "psnr_gamma_db") point.y = row.value;
     if (row.quantity == "seconds_median") point.x = row.value * 1000;

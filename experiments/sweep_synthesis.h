@@ -16,8 +16,8 @@ namespace plenolab {
 struct SweepStimulus {
   std::string name;
   LightField key_views;
-  std::vector<CameraPosition> positions;                ///< where views are synthesised
-  std::function<SceneImage(CameraPosition)> truth;      ///< of those positions, same size
+  std::vector<CameraPosition> positions;            ///< where views are synthesised
+  std::function<SceneImage(CameraPosition)> truth;  ///< of those positions, same size
 };
 
 /// What `sweep synthesis` varies.
@@ -32,16 +32,17 @@ struct SynthesisSweepOptions {
   void validate() const;
 };
 
-/// Error against run time and memory of view synthesis: every combination of search, step and number of key views on each
-/// stimulus (image sizes are separate stimuli). Rows, with columns scene, width, search, step_px, key_views:
-/// psnr_gamma_db (pooled over the positions), rms_error (of gamma-encoded values, the same error on a linear scale),
-/// seconds_median … as in add_timing_rows, memory_mib (key views, prepared views and results held by one synthesis),
-/// samples_per_search, and on_pareto_front (1 where no other setting of the same stimulus is both faster and better).
+/// Error against run time and memory of view synthesis: every combination of search, step and number of key
+/// views on each stimulus (image sizes are separate stimuli). Rows, with columns scene, width, search,
+/// step_px, key_views: psnr_gamma_db (pooled over the positions), rms_error (of gamma-encoded values, the
+/// same error on a linear scale), seconds_median … as in add_timing_rows, memory_mib (key views, prepared
+/// views and results held by one synthesis), samples_per_search, and on_pareto_front (1 where no other
+/// setting of the same stimulus is both faster and better).
 ResultTable sweep_synthesis(const std::vector<SweepStimulus>& stimuli, const SynthesisSweepOptions& options,
                             const Progress& progress = {});
 
-/// Error over run time of the rows of one stimulus: one series for each search and number of key views, Pareto-optimal
-/// settings ringed, labelled with their step.
+/// Error over run time of the rows of one stimulus: one series for each search and number of key views,
+/// Pareto-optimal settings ringed, labelled with their step.
 Plot plot_synthesis_sweep(const ResultTable& rows, const std::string& scene, int width);
 
 }  // namespace plenolab

@@ -16,9 +16,12 @@ struct Laboratory::SceneState {
 
 const char* name_of(Effort effort) {
   switch (effort) {
-    case Effort::kTiny: return "tiny";
-    case Effort::kQuick: return "quick";
-    case Effort::kPaper: return "paper";
+    case Effort::kTiny:
+      return "tiny";
+    case Effort::kQuick:
+      return "quick";
+    case Effort::kPaper:
+      return "paper";
   }
   return "";
 }
@@ -38,7 +41,9 @@ Laboratory::SceneState& Laboratory::state(const std::string& id) {
   return *state;
 }
 
-const Scene& Laboratory::scene(const std::string& id) { return state(id).scene; }
+const Scene& Laboratory::scene(const std::string& id) {
+  return state(id).scene;
+}
 
 ViewGrid Laboratory::grid(const std::string& id) {
   const Scene& s = scene(id);
@@ -55,7 +60,8 @@ ViewGrid Laboratory::grid(const std::string& id) {
 
 int Laboratory::paths_per_pixel(const std::string& id) {
   if (options_.effort == Effort::kTiny) return kBlockSamples;
-  return preset_of(scene(id), options_.effort == Effort::kPaper ? Preset::kPaper : Preset::kQuick).paths_per_pixel;
+  return preset_of(scene(id), options_.effort == Effort::kPaper ? Preset::kPaper : Preset::kQuick)
+      .paths_per_pixel;
 }
 
 KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, const ViewGrid& grid,
@@ -78,7 +84,8 @@ LightField Laboratory::light_field(const std::string& id) {
     const ViewGrid views = grid(id);
     const int paths = paths_per_pixel(id);
     s.light_field.emplace(views, RadianceUnit::kCdM2, id, [this, &s, views, paths](int column, int row) {
-      return render_prepared(*s.prepared, views, {static_cast<double>(column), static_cast<double>(row)}, paths);
+      return render_prepared(*s.prepared, views, {static_cast<double>(column), static_cast<double>(row)},
+                             paths);
     });
   }
   return *s.light_field;
@@ -99,7 +106,8 @@ KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition p
 const PreparedScene& Laboratory::prepared(const Scene& scene) {
   const std::string key = scene.id + '\n' + scene.variant;
   const auto found = prepared_variants_.find(key);
-  return found != prepared_variants_.end() ? found->second : prepared_variants_.emplace(key, scene).first->second;
+  return found != prepared_variants_.end() ? found->second
+                                           : prepared_variants_.emplace(key, scene).first->second;
 }
 
 KeyView<SceneReferred> Laboratory::render(const Scene& scene, const ViewGrid& grid, CameraPosition position,
@@ -111,7 +119,8 @@ LightField Laboratory::render_field(const Scene& scene, const ViewGrid& grid, in
   std::vector<KeyView<SceneReferred>> views;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
-      views.push_back(render(scene, grid, {static_cast<double>(column), static_cast<double>(row)}, paths_per_pixel));
+      views.push_back(
+          render(scene, grid, {static_cast<double>(column), static_cast<double>(row)}, paths_per_pixel));
   const std::string name = scene.variant.empty() ? scene.id : scene.id + " (" + scene.variant + ")";
   return LightField::from_views(grid, RadianceUnit::kCdM2, name, std::move(views));
 }

@@ -38,7 +38,8 @@ struct RenderingTally {
   std::uint64_t rays = 0;
 };
 
-/// What all reproductions of one run share: scenes, their light fields and ground truth, rendered once and cached.
+/// What all reproductions of one run share: scenes, their light fields and ground truth, rendered once and
+/// cached.
 class Laboratory {
  public:
   explicit Laboratory(LaboratoryOptions options);
@@ -58,9 +59,10 @@ class Laboratory {
   /// The rendered view at a position of the scene's grid.
   KeyView<SceneReferred> truth(const std::string& id, CameraPosition position);
 
-  /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16, lowered to
-  /// 16 in a tiny run.
-  KeyView<SceneReferred> render(const Scene& scene, const ViewGrid& grid, CameraPosition position, int paths_per_pixel);
+  /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16,
+  /// lowered to 16 in a tiny run.
+  KeyView<SceneReferred> render(const Scene& scene, const ViewGrid& grid, CameraPosition position,
+                                int paths_per_pixel);
   /// All key views of such a scene, rendered at once.
   LightField render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel);
   /// The probe grid for this effort: `grid` itself, or a third of its image size in a tiny run.
@@ -72,8 +74,8 @@ class Laboratory {
   struct SceneState;
   SceneState& state(const std::string& id);
   const PreparedScene& prepared(const Scene& scene);
-  KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,
-                                         int paths_per_pixel);
+  KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid,
+                                         CameraPosition position, int paths_per_pixel);
 
   LaboratoryOptions options_;
   std::map<std::string, std::unique_ptr<SceneState>> scenes_;

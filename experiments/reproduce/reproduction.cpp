@@ -35,12 +35,18 @@ void ReproductionResult::add_comparison(const std::string& name, ImageComparison
 
 const char* title_of(Chapter chapter) {
   switch (chapter) {
-    case Chapter::kScenes: return "Scenes";
-    case Chapter::kGeometry: return "Geometry";
-    case Chapter::kAppearance: return "Appearance";
-    case Chapter::kQuality: return "Quality of synthesised views";
-    case Chapter::kSpeed: return "Error against run time";
-    case Chapter::kClaims: return "Claims";
+    case Chapter::kScenes:
+      return "Scenes";
+    case Chapter::kGeometry:
+      return "Geometry";
+    case Chapter::kAppearance:
+      return "Appearance";
+    case Chapter::kQuality:
+      return "Quality of synthesised views";
+    case Chapter::kSpeed:
+      return "Error against run time";
+    case Chapter::kClaims:
+      return "Claims";
   }
   return "";
 }

@@ -23,8 +23,8 @@ struct NamedImage {
   SceneImage radiance;   ///< filed as .exr unless empty
 };
 
-/// Everything one reproduction yields. The three sentences say it in words; blocks hold what the report shows of it, in
-/// order, plots included by add_plot and images by add_comparison.
+/// Everything one reproduction yields. The three sentences say it in words; blocks hold what the report shows
+/// of it, in order, plots included by add_plot and images by add_comparison.
 struct ReproductionResult {
   std::string paper_shows, ours_shows, differs;
   std::vector<ReportBlock> blocks;
@@ -36,8 +36,10 @@ struct ReproductionResult {
 
   /// Shows a plot in the report and files it (.svg .pdf .gp .csv).
   void add_plot(const std::string& name, ReportPlot plot);
-  /// Shows images for comparison in the report and files each (.png; .exr where radiance is given, in the same order).
-  void add_comparison(const std::string& name, ImageComparison comparison, std::vector<SceneImage> radiance = {});
+  /// Shows images for comparison in the report and files each (.png; .exr where radiance is given, in the
+  /// same order).
+  void add_comparison(const std::string& name, ImageComparison comparison,
+                      std::vector<SceneImage> radiance = {});
   void add_table(ReportTable table) { blocks.emplace_back(std::move(table)); }
   void add_text(std::string text) { blocks.emplace_back(Paragraph{std::move(text)}); }
 };
@@ -58,7 +60,8 @@ struct Reproduction {
 /// All items in the order of the report. Adding one = one file in this folder + one line in table.cpp.
 std::span<const Reproduction> reproductions();
 
-/// The items named; each name is an id, or "all". Order of the table. Throws UsageError listing the ids for an unknown one.
+/// The items named; each name is an id, or "all". Order of the table. Throws UsageError listing the ids for
+/// an unknown one.
 std::vector<const Reproduction*> select_reproductions(const std::vector<std::string>& ids);
 
 }  // namespace plenolab

@@ -1,0 +1,107 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/reproduce/run.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct ReproduceOptions {
+  CommonOptions common;
+  std::vector<std::string> ids;
+  std::string out = "results/reproduce";
+  std::string preset = "quick";
+  std::string cache;
+  bool list = false;
+};
+
+Effort effort_of(const std::string& preset) {
+  if (preset == "tiny") return Effort::kTiny;
+  return preset == "paper" ? Effort::kPaper : Effort::kQuick;
+}
+
+void print_list() {
+  for (const Reproduction& item : reproductions()) fmt::print("{:<26} {}\n", item.id, item.title);
+}
+
+ResultTable all_rows(const std::vector<FinishedReproduction>& finished) {
+  ResultTable table;
+  for (const FinishedReproduction& f : finished) {
+    for (ResultRow row : f.result.rows.rows()) {
+      row.columns.insert(row.columns.begin(), {"item", std::string(f.item->id)});
+      table.add(std::move(row));
+    }
+    table.add({"seconds", f.seconds, "s", {{"item", std::string(f.item->id)}}});
+  }
+  return table;
+}
+
+std::vector<FinishedReproduction> run_items(const std::vector<const Reproduction*>& items,
+                                            Laboratory& laboratory, const CommonOptions& common) {
+  ProgressBar bar("reproducing");
+  return run_reproductions(items, laboratory, [&](const Reproduction& item, std::size_t index) {
+    bar.update(static_cast<double>(index) / static_cast<double>(items.size()));
+    tell(common, fmt::format("[{:2}/{}] {}", index + 1, items.size(), item.title));
+  });
+}
+
+void write_everything(const std::vector<FinishedReproduction>& finished, const Laboratory& laboratory,
+                      const Provenance& provenance, const fs::path& folder) {
+  for (const FinishedReproduction& f : finished)
+    if (f.failure.empty()) file_reproduction(f, folder);
+  write_text_file(folder / "rows.csv", to_csv(all_rows(finished)));
+  write_run_json(provenance, folder);
+  write_report(assemble_report(finished, laboratory, provenance), folder / "report.html");
+}
+
+void run_reproduce(const Invocation& invocation, const ReproduceOptions& options) {
+  if (options.list) {
+    print_list();
+    return;
+  }
+  const auto items = select_reproductions(options.ids);
+  Provenance provenance = begin_run(invocation, options.common);
+  provenance.parameters["preset"] = options.preset;
+  Laboratory laboratory({.effort = effort_of(options.preset),
+                         .cache = render_cache_folder(options.cache),
+                         .seed = options.common.seed,
+                         .threads = options.common.threads,
+                         .progress = {}});
+  const auto finished = run_items(items, laboratory, options.common);
+  finish_provenance(provenance);
+  write_everything(finished, laboratory, provenance, options.out);
+  write_results(all_rows(finished), provenance, options.common);
+  tell(options.common, fmt::format("done in {}\n{}", format_duration(provenance.duration_s),
+                                   fs::absolute(fs::path(options.out) / "report.html").string()));
+  for (const FinishedReproduction& f : finished)
+    if (!f.failure.empty()) throw InputError(fmt::format("{} could not be run: {}", f.item->id, f.failure));
+}
+
+}  // namespace
+
+void add_reproduce_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<ReproduceOptions>();
+  app.add_option("ids", options->ids, "What to reproduce (default: everything), see --list");
+  app.add_flag("--list", options->list, "List what can be reproduced");
+  app.add_option("-o,--out", options->out, "Folder for the report and its figures")->capture_default_str();
+  app.add_option("--preset", options->preset,
+                 "quick: minutes; paper: the thesis' grids, hours; tiny: a check that everything works")
+      ->check(CLI::IsMember({"tiny", "quick", "paper"}))
+      ->capture_default_str();
+  app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");
+  add_common_options(app, options->common);
+  app.footer(
+      "Examples: plenolab reproduce\n"
+      "          plenolab reproduce altmeier-fig-31 -o results/figure-31");
+  app.callback([options, &invocation] { run_reproduce(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,125 @@
+#include "experiments/reproduce/run.h"
+
+#include <fmt/format.h>
+
+#include "analysis/timing.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/io/exr.h"
+#include "core/io/image_file.h"
+#include "experiments/cli/progress_bar.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string paragraph_of(const ReproductionResult& result) {
+  std::string text;
+  const auto add = [&text](const char* head, const std::string& body) {
+    if (body.empty()) return;
+    text += (text.empty() ? "" : "\n\n") + std::string(head) + body;
+  };
+  add("The paper: ", result.paper_shows);
+  add("Ours: ", result.ours_shows);
+  add("Where they differ and why: ", result.differs);
+  return text;
+}
+
+ReportSection section_of(const FinishedReproduction& finished) {
+  ReportSection section;
+  section.title = finished.item->title;
+  if (!finished.failure.empty()) {
+    section.blocks.emplace_back(Paragraph{"This item could not be run: " + finished.failure});
+    return section;
+  }
+  if (const std::string text = paragraph_of(finished.result); !text.empty())
+    section.blocks.emplace_back(Paragraph{text});
+  for (const ReportBlock& block : finished.result.blocks) section.blocks.push_back(block);
+  section.blocks.emplace_back(Paragraph{fmt::format("Run alone: plenolab reproduce {} ({} here).",
+                                                    finished.item->id, format_duration(finished.seconds))});
+  return section;
+}
+
+ReportSection ledger_section(const std::vector<LedgerEntry>& ledger) {
+  ReportSection section{"Claims ledger", {}};
+  section.blocks.emplace_back(Paragraph{
+      "Each claim of the thesis on geometry and appearance with the measurement that decides it on our "
+      "scenes. A claim is "
+      "confirmed or refuted only if the whole interval of the number lies on one side of the threshold."});
+  section.blocks.emplace_back(ReportLedger{"Claims of the thesis, sections 3, 4 and 6.1", ledger});
+  return section;
+}
+
+ReportSection effort_section(const Laboratory& laboratory,
+                             const std::vector<FinishedReproduction>& finished) {
+  ReportSection section{"What it took", {}};
+  const RenderingTally& tally = laboratory.tally();
+  section.blocks.emplace_back(Paragraph{fmt::format(
+      "Effort {}: {} views rendered in {} ({:.3g} million rays a second), {} views from the cache.",
+      name_of(laboratory.options().effort), tally.rendered, format_duration(tally.seconds),
+      tally.seconds > 0 ? static_cast<double>(tally.rays) / tally.seconds * 1e-6 : 0.0, tally.from_cache)});
+  ReportTable table{"Time of each item, rendering included", {"item", "seconds", "outcome"}, {}, 3};
+  for (const FinishedReproduction& f : finished)
+    table.rows.push_back(
+        {std::string(f.item->id), f.seconds, f.failure.empty() ? std::string("done") : f.failure});
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+}  // namespace
+
+std::vector<FinishedReproduction> run_reproductions(
+    const std::vector<const Reproduction*>& items, Laboratory& laboratory,
+    const std::function<void(const Reproduction&, std::size_t)>& begin) {
+  std::vector<FinishedReproduction> all;
+  for (const Reproduction* item : items) {
+    begin(*item, all.size());
+    FinishedReproduction& finished =
+        all.emplace_back(FinishedReproduction{.item = item, .result = {}, .failure = {}});
+    const Stopwatch watch;
+    try {
+      finished.result = item->run(laboratory);
+    } catch (const InputError& error) {
+      finished.failure = error.what();
+    }
+    finished.seconds = watch.seconds();
+  }
+  return all;
+}
+
+void file_reproduction(const FinishedReproduction& finished, const fs::path& folder) {
+  const fs::path own = folder / finished.item->id;
+  const ReproductionResult& result = finished.result;
+  write_text_file(own / "text.md", fmt::format("# {}\n\n{}\n", finished.item->title, paragraph_of(result)));
+  if (!result.rows.empty()) write_text_file(own / "rows.csv", to_csv(result.rows));
+  for (const NamedPlot& plot : result.plots)
+    std::visit([&](const auto& p) { write_plot(p, own / plot.name); }, plot.plot.plot);
+  for (const NamedImage& image : result.images) {
+    write_display_image(own / (image.name + ".png"), image.display);
+    if (!image.radiance.empty())
+      write_exr(own / (image.name + ".exr"), image.radiance, {}, {.colour_type = ExrPixelType::kFloat});
+  }
+}
+
+Report assemble_report(const std::vector<FinishedReproduction>& finished, const Laboratory& laboratory,
+                       const Provenance& provenance) {
+  Report report;
+  report.title = "HDR light fields: view synthesis against ground truth";
+  report.subtitle =
+      "Geometry and appearance of views synthesised from sparse key views, measured on procedural scenes "
+      "whose true views "
+      "are known; after Altmeier 2018, sections 3, 4 and 6.1.";
+  std::vector<LedgerEntry> ledger;
+  for (const FinishedReproduction& f : finished) {
+    for (const KeyFigure& figure : f.result.key_figures) report.key_figures.push_back(figure);
+    for (const LedgerEntry& entry : f.result.ledger) ledger.push_back(entry);
+  }
+  if (!ledger.empty()) report.sections.push_back(ledger_section(ledger));
+  for (const FinishedReproduction& f : finished) report.sections.push_back(section_of(f));
+  report.sections.push_back(effort_section(laboratory, finished));
+  report.provenance = provenance;
+  return report;
+}
+
+}  // namespace plenolab
