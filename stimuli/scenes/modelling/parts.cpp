@@ -4,6 +4,12 @@
 
 namespace plenolab {
 
+Eigen::Affine3f pose(const Vec3& offset_m, float yaw_deg) {
+  const float angle = yaw_deg * static_cast<float>(EIGEN_PI) / 180;
+  return Eigen::Translation3f(offset_m) * Eigen::AngleAxisf(angle, Vec3::UnitZ()) *
+         Eigen::Affine3f::Identity();
+}
+
 Mesh placed(const Mesh& part, const Eigen::Affine3f& transform) {
   Mesh result = part;
   const Eigen::Matrix3f linear = transform.linear();
@@ -20,12 +26,6 @@ Mesh placed(const Mesh& part, const Vec3& offset_m) {
   Mesh result = part;
   for (Vec3& p : result.positions_m) p += offset_m;
   return result;
-}
-
-Mesh placed(const Mesh& part, const Vec3& offset_m, float yaw_deg) {
-  const float angle = yaw_deg * static_cast<float>(EIGEN_PI) / 180;
-  return placed(part, Eigen::Translation3f(offset_m) * Eigen::AngleAxisf(angle, Vec3::UnitZ()) *
-                          Eigen::Affine3f::Identity());
 }
 
 Mesh numbered(const Mesh& part, int number) {

@@ -12,12 +12,13 @@ namespace plenolab {
 /// said otherwise. Parts are placed with `placed`, told apart in textures with `numbered` and collected by
 /// SceneAssembler.
 
+/// Turn about the vertical axis by `yaw_deg` (counter-clockwise from above), then move.
+Eigen::Affine3f pose(const Vec3& offset_m, float yaw_deg = 0);
+
 /// Copy of a part under a rigid or scaling transform (normals by the inverse transpose).
 Mesh placed(const Mesh& part, const Eigen::Affine3f& transform);
 /// Copy moved by `offset_m`.
 Mesh placed(const Mesh& part, const Vec3& offset_m);
-/// Copy turned about the vertical axis by `yaw_deg` (counter-clockwise from above), then moved.
-Mesh placed(const Mesh& part, const Vec3& offset_m, float yaw_deg);
 
 /// Offset of u between parts of different number; parts are narrower than half of it.
 inline constexpr float kPartPitch = 16;
