@@ -13,6 +13,12 @@ namespace plenolab {
 /// larger.
 std::vector<std::byte> read_bytes(const std::filesystem::path& path, std::uint64_t max_bytes);
 
+/// The first bytes of a regular file, at most `count`. Throws InputError.
+std::vector<std::byte> read_beginning(const std::filesystem::path& path, std::uint64_t count);
+
+/// Size of a regular file. Throws InputError if there is none.
+std::uint64_t size_of_file(const std::filesystem::path& path);
+
 /// Writes bytes to a file that need not be replaced atomically (inside write_atomically). Throws InputError.
 void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/io/bytes.h"
@@ -42,6 +43,12 @@ ExrPartInfo describe_part(const Imf::Header& header) {
       part.float_attributes[it.name()] = number->value();
   }
   return part;
+}
+
+std::vector<ExrPartInfo> describe_parts(const std::vector<Imf::Header>& headers) {
+  std::vector<ExrPartInfo> parts;
+  std::transform(headers.begin(), headers.end(), std::back_inserter(parts), describe_part);
+  return parts;
 }
 
 bool holds_all(const Imf::Header& header, const std::vector<std::string>& channels) {
@@ -126,20 +133,28 @@ void ExrLimits::validate() const {
 
 std::vector<ExrPartInfo> parse_exr_header(std::span<const std::byte> bytes, const std::string& name,
                                           const ExrLimits& limits) {
-  std::vector<ExrPartInfo> parts;
-  for (const Imf::Header& header : scan_exr_headers(bytes, name, limits))
-    parts.push_back(describe_part(header));
-  return parts;
+  return describe_parts(scan_exr_headers(bytes, bytes.size(), name, limits));
 }
 
 std::vector<ExrPartInfo> read_exr_header(const std::filesystem::path& path, const ExrLimits& limits) {
+  // Enough for all but files with previews or long metadata, of which the whole is read.
+  constexpr std::uint64_t kUsualHeaderBytes = 1 << 16;
+  const std::vector<std::byte> beginning = read_beginning(path, kUsualHeaderBytes);
+  const std::uint64_t file_bytes = size_of_file(path);
+  if (beginning.size() < file_bytes) {
+    try {
+      return describe_parts(scan_exr_headers(beginning, file_bytes, path.string(), limits));
+    } catch (const InputError&) {
+      // Damaged, or the headers go on: the whole file decides.
+    }
+  }
   return parse_exr_header(read_bytes(path, limits.max_file_bytes), path.string(), limits);
 }
 
 std::vector<Plane<float>> parse_exr_channels(std::span<const std::byte> bytes, const std::string& name,
                                              const std::vector<std::string>& channels,
                                              const ExrLimits& limits) {
-  const std::vector<Imf::Header> headers = scan_exr_headers(bytes, name, limits);
+  const std::vector<Imf::Header> headers = scan_exr_headers(bytes, bytes.size(), name, limits);
   const int part = part_with(headers, channels, name);
   check_readable(headers[static_cast<std::size_t>(part)], channels, name);
   try {

@@ -148,7 +148,7 @@ std::int64_t chunk_count(const Imf::Header& header, const PartExtent& extent, co
 constexpr std::int64_t kMaxCompressionRatio = 16384;
 constexpr std::int64_t kAlwaysPlausibleBytes = std::int64_t{128} << 20;
 
-void check_extent(const Imf::Header& header, std::size_t file_bytes, const std::string& name,
+void check_extent(const Imf::Header& header, std::uint64_t file_bytes, const std::string& name,
                   const ExrLimits& limits) {
   const PartExtent extent = extent_of(header);
   if (extent.width < 1 || extent.height < 1)
@@ -183,8 +183,8 @@ bool is_deep(const Imf::Header& header) {
   return header.hasType() && Imf::isDeepData(header.type());
 }
 
-std::vector<Imf::Header> scan_exr_headers(std::span<const std::byte> bytes, const std::string& name,
-                                          const ExrLimits& limits) {
+std::vector<Imf::Header> scan_exr_headers(std::span<const std::byte> bytes, std::uint64_t file_bytes,
+                                          const std::string& name, const ExrLimits& limits) {
   limits.validate();
   std::int32_t magic_and_version[2] = {0, 0};
   if (bytes.size() >= 8) std::memcpy(magic_and_version, bytes.data(), 8);
@@ -201,7 +201,7 @@ std::vector<Imf::Header> scan_exr_headers(std::span<const std::byte> bytes, cons
       // lines.
       header.sanityCheck(Imf::isTiled(version) || (header.hasType() && Imf::isTiled(header.type())),
                          Imf::isMultiPart(version));
-      check_extent(header, bytes.size(), name, limits);
+      check_extent(header, file_bytes, name, limits);
     }
     return headers;
   } catch (const InputError&) {

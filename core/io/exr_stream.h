@@ -31,8 +31,9 @@ class ExrMemoryStream : public Imf::IStream {
 /// Headers of all parts, after checks that bound whatever OpenEXR will allocate for them: attribute sizes
 /// against the file's length, the data window against the limits, and the number of chunks against the bytes
 /// they need at least.
-std::vector<Imf::Header> scan_exr_headers(std::span<const std::byte> bytes, const std::string& name,
-                                          const ExrLimits& limits);
+/// `bytes` may be the beginning of a file of `file_bytes`, if it holds all headers.
+std::vector<Imf::Header> scan_exr_headers(std::span<const std::byte> bytes, std::uint64_t file_bytes,
+                                          const std::string& name, const ExrLimits& limits);
 
 /// Whether the part holds deep data (several samples a pixel).
 bool is_deep(const Imf::Header& header);
