@@ -29,6 +29,9 @@ inline constexpr double kInsideTolerance_px = 1e-6;
 /// steps.
 inline constexpr double kMaxDisparity_px = 1e9;
 
+/// Nearest fixed screen, as the disparity of its plane.
+inline constexpr double kMaxScreenDisparity_px = 1e5;
+
 /// The path A(d) = B + (b_x, b_y·b_v/b_h)·d of one key view (section 4.1.3) and its samples, shared by all
 /// pixels: d_k = d_max + (1 − k)·Δ for k = 0, 1, … while positive, then exactly 0, with Δ = step_px / |(b_x,
 /// b_y·b_v/b_h)|. Only samples at which some pixel of the novel view is inside the key view are tabulated,
@@ -49,9 +52,12 @@ struct EpipolarPath {
   double disparity(int index) const;
   /// The position for an arbitrary d.
   PathSample at(double d) const;
+  /// Sub-sample 0 … kSubSamples between two values of d; the last one is exactly `d_to`.
+  PathSample sub_sample(double d_from, double d_to, int sub) const;
 };
 
-/// The path of `view` for a novel view at `position`. For |b| = 0 it has the single sample d = 0.
+/// The path of `view` for a novel view at `position`. For |b| = 0 it has the single sample d = 0. Throws
+/// InputError if the fixed screen is nearer than kMaxScreenDisparity_px.
 EpipolarPath make_path(const ViewGrid& grid, CameraPosition position, const UsedView& view, double d_max,
                        const SynthesisOptions& options);
 

@@ -4,6 +4,7 @@
 #include <functional>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "core/lightfield/light_field.h"
 #include "core/synthesis/novel_view.h"

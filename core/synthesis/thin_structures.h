@@ -1,6 +1,10 @@
 #pragma once
 
+#include <array>
+#include <memory>
+
 #include "core/synthesis/epipolar_path.h"
+#include "core/synthesis/patch_blend.h"
 #include "core/synthesis/prepared_view.h"
 
 namespace plenolab {
@@ -10,20 +14,28 @@ namespace plenolab {
 /// it: its pixels form tents in the bilinear disparity map that search paths pass over, and where a path hits
 /// a tent, rule 2 discards it.
 ///
-/// A pixel q is *thin* if all 2 × 2 neighbourhoods that contain it span more than `disocclusion_px` and it is
-/// nearer than the farthest pixel of each by more than that. Thin pixels are projected forward with their own
-/// disparity D, to q − b·D; the pixel of the novel view whose centre lies within half a pixel of that point
-/// (both axes) takes q as its correspondence in that view, at q's centre, if D is nearer than what the search
-/// found there. Among several thin pixels the nearest wins. Because every key view has rounded the
-/// structure's outline to its own pixels, and because a wrong disparity in a single view is a thin pixel too,
-/// a pixel keeps its thin correspondences only if views with at least half of the bilinear weight (of those
-/// in frustum) show that surface, to δ_occ.
+/// A pixel is *thin* if each of the 2 × 2 neighbourhoods that contain it has a pixel farther by more than the
+/// threshold of rule 2. Thin pixels are projected forward with their own disparity D, to q − b·D; the pixel
+/// of the novel view whose centre lies within half a pixel of that point (both axes) takes q as its
+/// correspondence in that view, at q's centre, if D is nearer than what the search found there by more than
+/// δ_occ. Among several thin pixels that land on one pixel the nearest wins. Because every key view has
+/// rounded the structure's outline to its own pixels, and because a wrong disparity in a single view is a
+/// thin pixel too, a pixel takes thin correspondences only if the views that show a surface at that
+/// disparity, to δ_occ or nearer, have at least half of the bilinear weight of all views that show a surface
+/// there (in frustum and past rule 2).
 struct ThinSplats {
   Plane<float>
       disparity;      ///< of the nearest thin pixel that lands on each pixel of the novel view, −1 for none
   Plane<int> source;  ///< its index y·width + x in the key view
 };
 
+/// Projects the thin pixels of one key view.
 ThinSplats splat_thin_pixels(const PreparedView& view, const EpipolarPath& path, double disocclusion_px);
+
+/// Replaces hits of a patch by thin pixels where the views agree; marks them in PatchView::thin. Returns how
+/// many.
+std::uint64_t keep_thin_pixels(const BlendSetup& setup,
+                               const std::array<std::unique_ptr<ThinSplats>, kMaxViews>& splats,
+                               const Patch& patch, PatchViews& views);
 
 }  // namespace plenolab

@@ -1,0 +1,263 @@
+// The tile search with vector instructions. All pixels of the novel view share the baseline, so at sample k
+// every pixel's A has the same fractions: a row of pixels reads rows of the disparity map from one offset,
+// without gathers.
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "core/synthesis/search.h"
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/synthesis/search_patch.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace plenolab {
+namespace HWY_NAMESPACE {
+namespace hn = hwy::HWY_NAMESPACE;
+
+constexpr int kRows = TileOccupancy::kTileHeight;
+constexpr int kNever = std::numeric_limits<int>::max();
+
+using Floats = hn::CappedTag<float, TileOccupancy::kTileWidth>;
+using Ints = hn::RebindToSigned<Floats>;
+using FloatVec = hn::Vec<Floats>;
+using IntVec = hn::Vec<Ints>;
+using LaneMask = hn::Mask<Floats>;
+
+/// One tile-high strip of as many columns as a vector has lanes.
+class StripSearch {
+ public:
+  StripSearch(const PreparedView& view, const EpipolarPath& path, std::span<const std::uint64_t> candidates,
+              int x, int y, PatchHits& hits, int hits_index)
+      : view_(view), path_(path), candidates_(candidates), x_(x), y_(y), hits_(hits), base_(hits_index) {}
+
+  SearchCounts run(int columns, int rows) {
+    start_pixels(columns, rows);
+    for (std::size_t word = 0; word < candidates_.size() && rows_left_ != 0; ++word)
+      for (std::uint64_t bits = candidates_[word]; bits != 0 && rows_left_ != 0; bits &= bits - 1)
+        visit(static_cast<int>(word) * 64 + std::countr_zero(bits));
+    return counts_;
+  }
+
+ private:
+  /// Sets the first sample of every pixel; pixels whose path enters through the border need their own look.
+  void start_pixels(int columns, int rows) {
+    std::fill_n(first_, kRows * kLanes, kNever);
+    const bool all_inside = starts_inside(x_, y_) && starts_inside(x_ + columns - 1, y_ + rows - 1) &&
+                            starts_inside(x_ + columns - 1, y_) && starts_inside(x_, y_ + rows - 1);
+    for (int row = 0; row < rows; ++row) {
+      for (int lane = 0; lane < columns; ++lane)
+        first_[row * kLanes + lane] = all_inside ? 0 : start_pixel(lane, row);
+      if (std::any_of(first_ + row * kLanes, first_ + row * kLanes + columns,
+                      [](int k) { return k != kNever; }))
+        rows_left_ |= 1u << row;
+    }
+  }
+
+  bool starts_inside(int x, int y) const {
+    const ClippedPath clip = clip_path(path_, x, y);
+    return clip.inside && !clip.entered && clip.near <= 0;
+  }
+
+  int start_pixel(int lane, int row) {
+    const int x = x_ + lane, y = y_ + row;
+    const ClippedPath clip = clip_path(path_, x, y);
+    if (!clip.inside || clip.near > 0) {
+      hits_.set(hit_index(row) + lane, search_pixel(view_, path_, candidates_, x, y, counts_));
+      return kNever;
+    }
+    if (!clip.entered) return 0;
+    const PathSample entry = path_.at(clip.far);
+    ++counts_.samples;
+    if (bilinear_disparity(view_, x + entry.ox, y + entry.oy, entry.fx, entry.fy) > entry.d) {
+      hits_.set(hit_index(row) + lane, Hit{});
+      return kNever;
+    }
+    return first_below(clip.far);
+  }
+
+  /// The first sample with d_k < far.
+  int first_below(double far) const {
+    int index =
+        static_cast<int>(std::clamp((path_.d_max - far) / path_.step + 1 - static_cast<double>(path_.first),
+                                    0.0, static_cast<double>(path_.last())));
+    while (index > 0 && path_.disparity(index - 1) < far) --index;
+    while (index < path_.last() && path_.disparity(index) >= far) ++index;
+    return index;
+  }
+
+  int hit_index(int row) const { return base_ + row * Patch::kMaxWidth; }
+
+  /// Disparities at one sample for a row, or false if no lane of the row is inside the image there.
+  bool disparities(const PathSample& sample, int row, FloatVec& out) const {
+    const int i = x_ + sample.ox, j = y_ + row + sample.oy;
+    if (j < -1 || j >= view_.height || i >= view_.width || i + kLanes <= -1) return false;
+    const Floats d;
+    const float *upper = view_.disparity_row(j) + i, *lower = view_.disparity_row(j + 1) + i;
+    const auto fx = hn::Set(d, sample.fx), fy = hn::Set(d, sample.fy);
+    const auto a0 = hn::LoadU(d, upper), b0 = hn::LoadU(d, lower);
+    const auto a = hn::Add(a0, hn::Mul(fx, hn::Sub(hn::LoadU(d, upper + 1), a0)));
+    const auto b = hn::Add(b0, hn::Mul(fx, hn::Sub(hn::LoadU(d, lower + 1), b0)));
+    out = hn::Add(a, hn::Mul(fy, hn::Sub(b, a)));
+    return true;
+  }
+
+  LaneMask active(int row, int index) const {
+    const Ints di;
+    const auto first = hn::Load(di, first_ + row * kLanes);
+    return hn::RebindMask(Floats(), hn::Le(first, hn::Set(di, index)));
+  }
+
+  void visit(int index) {
+    const PathSample& sample = path_.samples[static_cast<std::size_t>(index)];
+    const Floats d;
+    for (unsigned rows = rows_left_; rows != 0; rows &= rows - 1) {
+      const int row = std::countr_zero(rows);
+      const LaneMask searching = active(row, index);
+      counts_.samples += hn::CountTrue(d, searching);
+      FloatVec disparity = hn::Zero(d);
+      if (!disparities(sample, row, disparity)) continue;
+      LaneMask hit = searching;
+      if (index < path_.last()) hit = hn::And(searching, hn::Gt(disparity, hn::Set(d, sample.d)));
+      if (!hn::AllFalse(d, hit)) finish(index, row, hit);
+    }
+  }
+
+  /// Finds A for the lanes that hit, and takes them out of the search.
+  void finish(int index, int row, LaneMask hit) {
+    const Floats d;
+    const Ints di;
+    int* first = first_ + row * kLanes;
+    const auto firsts = hn::Load(di, first);
+    const auto at_first = hn::And(hit, hn::RebindMask(d, hn::Eq(firsts, hn::Set(di, index))));
+    const auto left = hn::IfThenElse(hn::RebindMask(di, hit), hn::Set(di, kNever), firsts);
+    const LaneMask inner = hn::AndNot(at_first, hit);
+    if (!hn::AllFalse(d, at_first)) finish_at_first(index, row);
+    hn::Store(left, di, first);
+    if (hn::AllTrue(di, hn::Eq(left, hn::Set(di, kNever)))) rows_left_ &= ~(1u << row);
+    if (!hn::AllFalse(d, inner)) refine(index, row, inner);
+  }
+
+  /// Lanes that hit at the first sample of their path: the step before it begins where they entered, pixel by
+  /// pixel.
+  void finish_at_first(int index, int row) {
+    const PathSample& sample = path_.samples[static_cast<std::size_t>(index)];
+    for (int lane = 0; lane < kLanes; ++lane) {
+      if (first_[row * kLanes + lane] != index) continue;
+      const int x = x_ + lane, y = y_ + row;
+      if (index < path_.last() &&
+          !(bilinear_disparity(view_, x + sample.ox, y + sample.oy, sample.fx, sample.fy) > sample.d))
+        continue;
+      SearchCounts counts;
+      hits_.set(hit_index(row) + lane, search_pixel(view_, path_, candidates_, x, y, counts));
+      counts_.refine += counts.refine;
+    }
+  }
+
+  void refine(int index, int row, LaneMask pending) {
+    const Floats d;
+    const PathSample* sub = path_.sub_samples.data() + static_cast<std::size_t>(index) * (kSubSamples + 1);
+    FloatVec disparity = hn::Zero(d);
+    disparities(sub[0], row, disparity);
+    auto previous = hn::Sub(disparity, hn::Set(d, sub[0].d));
+    for (int n = 1; n <= kSubSamples; ++n) {
+      counts_.refine += hn::CountTrue(d, pending);
+      disparities(sub[n], row, disparity);
+      const auto level = hn::Set(d, sub[n].d);
+      const auto f = hn::Sub(disparity, level);
+      const LaneMask crossing = hn::And(pending, hn::Gt(disparity, level));
+      if (!hn::AllFalse(d, crossing)) {
+        const auto t = hn::Div(previous, hn::Sub(previous, f));
+        const auto gx = hn::Add(hn::Set(d, sub[n - 1].fx), hn::Mul(t, hn::Set(d, sub[n].dx)));
+        const auto gy = hn::Add(hn::Set(d, sub[n - 1].fy), hn::Mul(t, hn::Set(d, sub[n].dy)));
+        store(row, sub[n - 1], gx, gy, crossing);
+        pending = hn::AndNot(crossing, pending);
+        if (hn::AllFalse(d, pending)) return;
+      }
+      previous = f;
+    }
+    const PathSample& end = sub[kSubSamples];
+    store(row, end, hn::Set(d, end.fx), hn::Set(d, end.fy), pending);
+  }
+
+  void store(int row, const PathSample& sample, FloatVec gx, FloatVec gy, LaneMask lanes) {
+    const Ints di;
+    const auto columns = hn::Iota(di, x_ + sample.ox);
+    store_axis(columns, gx, view_.width, lanes, hits_.i + hit_index(row), hits_.fx + hit_index(row));
+    store_axis(hn::Set(di, y_ + row + sample.oy), gy, view_.height, lanes, hits_.j + hit_index(row),
+               hits_.fy + hit_index(row));
+  }
+
+  static void store_axis(IntVec whole, FloatVec g, int size, LaneMask lanes, std::int32_t* index_out,
+                         float* fraction_out) {
+    const Floats d;
+    const Ints di;
+    const auto floor = hn::Floor(g);
+    auto fraction = hn::Sub(g, floor);
+    auto index = hn::Add(whole, hn::ConvertTo(di, floor));
+    const auto carry = hn::Ge(fraction, hn::Set(d, 1.0f));
+    index = hn::IfThenElse(hn::RebindMask(di, carry), hn::Add(index, hn::Set(di, 1)), index);
+    const auto outside = hn::Or(hn::Lt(index, hn::Zero(di)), hn::Ge(index, hn::Set(di, size - 1)));
+    fraction = hn::IfThenZeroElse(hn::Or(carry, hn::RebindMask(d, outside)), fraction);
+    index = hn::Max(hn::Zero(di), hn::Min(index, hn::Set(di, size - 1)));
+    hn::BlendedStore(index, hn::RebindMask(di, lanes), di, index_out);
+    hn::BlendedStore(fraction, lanes, d, fraction_out);
+  }
+
+  static constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
+  const PreparedView& view_;
+  const EpipolarPath& path_;
+  std::span<const std::uint64_t> candidates_;
+  int x_, y_;
+  PatchHits& hits_;
+  int base_;
+  unsigned rows_left_ = 0;
+  SearchCounts counts_;
+  alignas(64) int first_[kRows * TileOccupancy::kTileWidth];
+};
+
+SearchCounts SearchStrips(const PreparedView& view, const EpipolarPath& path, const TileOccupancy& occupancy,
+                          const Patch& patch, PatchHits& hits) {
+  constexpr int kLanes = static_cast<int>(hn::MaxLanes(Floats()));
+  SearchCounts counts;
+  for (int x = 0; x < patch.width; x += kLanes) {
+    StripSearch strip(view, path, occupancy.tile_of_pixel(patch.x + x, patch.y), patch.x + x, patch.y, hits,
+                      x);
+    counts += strip.run(std::min(kLanes, patch.width - x), patch.height);
+  }
+  return counts;
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace plenolab
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace plenolab {
+namespace {
+
+HWY_EXPORT(SearchStrips);
+
+/// Paths that need no search: A = B for every pixel.
+void fill_key_view(const EpipolarPath& path, const PreparedView& view, const Patch& patch, PatchHits& hits) {
+  SearchCounts none;
+  for (int y = 0; y < patch.height; ++y)
+    for (int x = 0; x < patch.width; ++x)
+      hits.set(y * Patch::kMaxWidth + x, search_pixel(view, path, {}, patch.x + x, patch.y + y, none));
+}
+
+}  // namespace
+
+SearchCounts search_patch(const PreparedView& view, const EpipolarPath& path, const TileOccupancy& occupancy,
+                          const Patch& patch, PatchHits& hits) {
+  if (!path.is_key_view()) return HWY_DYNAMIC_DISPATCH(SearchStrips)(view, path, occupancy, patch, hits);
+  fill_key_view(path, view, patch, hits);
+  return {};
+}
+
+}  // namespace plenolab
+#endif  // HWY_ONCE
