@@ -68,6 +68,9 @@ ViewJob make_job(const PreparedScene& scene, const ViewGrid& grid, CameraPositio
                  const RenderSettings& settings) {
   grid.validate();
   settings.validate();
+  if (settings.row_begin >= grid.height || settings.row_end > grid.height)
+    throw InputError(fmt::format("rows {} to {} do not lie within the {} rows of the image",
+                                 settings.row_begin, settings.row_end, grid.height));
   if (!std::isfinite(at.s) || !std::isfinite(at.t))
     throw InputError(fmt::format("the camera position ({}, {}) is not finite", at.s, at.t));
   const std::uint64_t position =
@@ -120,26 +123,28 @@ BlockSums trace_block(const ViewJob& job, int x, int y, tracer::RayCounts& count
   return sums;
 }
 
-// Traces every pixel, hands the 16 samples of each to `store`, and reports progress row by row.
+// Traces every pixel of the rows asked for, hands the 16 samples of each to `store`, and reports progress row
+// by row.
 template <class Store>
 RenderStats trace_view(const ViewJob& job, const ViewGrid& grid, const PreparedScene& scene,
                        const RenderSettings& settings, const Progress& progress, Store store) {
   const auto start = std::chrono::steady_clock::now();
   std::vector<tracer::RayCounts> row_counts(static_cast<std::size_t>(grid.height));
+  const int first = settings.row_begin;
+  const int rows = (settings.row_end == 0 ? grid.height : settings.row_end) - first;
   std::mutex mutex;
   int rows_done = 0;
-  parallel_for(grid.height, 1, settings.threads, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y) {
+  parallel_for(rows, 1, settings.threads, [&](int begin, int end) {
+    for (int y = first + begin; y < first + end; ++y) {
       for (int x = 0; x < grid.width; ++x)
         store(x, y, trace_block(job, x, y, row_counts[static_cast<std::size_t>(y)]));
       if (!progress) continue;
       const std::lock_guard lock(mutex);
-      progress(static_cast<double>(++rows_done) / grid.height);
+      progress(static_cast<double>(++rows_done) / rows);
     }
   });
   RenderStats stats;
-  stats.camera_rays =
-      static_cast<std::uint64_t>(grid.width) * static_cast<std::uint64_t>(grid.height) * job.paths;
+  stats.camera_rays = static_cast<std::uint64_t>(grid.width) * static_cast<std::uint64_t>(rows) * job.paths;
   for (const auto& c : row_counts) stats.bounce_rays += c.bounce, stats.shadow_rays += c.shadow;
   stats.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (settings.prune) stats.pruned = scene.state().left_out;
@@ -169,6 +174,8 @@ void RenderSettings::validate() const {
         fmt::format("the paths per pixel must be a positive multiple of 16, not {}", paths_per_pixel));
   if (threads < 0)
     throw InputError(fmt::format("the number of threads must be 0 (all) or more, not {}", threads));
+  if (row_begin < 0 || row_end < 0 || (row_end != 0 && row_end <= row_begin))
+    throw InputError(fmt::format("rows {} to {} are no range of rows", row_begin, row_end));
   blocks.validate();
 }
 

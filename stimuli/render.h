@@ -27,6 +27,9 @@ struct RenderSettings {
   std::uint64_t seed = 1;  ///< of all randomness; noise also differs from pixel to pixel and camera to camera
   int threads = 0;         ///< 0 = all cores; no influence on the result
   bool prune = true;       ///< leave out the stages a scene does not need; no influence on the result
+  /// Only the delivered rows from row_begin up to, not including, row_end are rendered, each as in the whole
+  /// view, and the others are 0: for slices of many views. row_end = 0: up to the last row.
+  int row_begin = 0, row_end = 0;
   BlockOptions blocks;
 
   /// Throws InputError with one sentence that names the first value out of range.

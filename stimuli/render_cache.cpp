@@ -111,7 +111,8 @@ std::string render_cache_key(const Scene& scene, const ViewGrid& grid, CameraPos
   for (const double v : {static_cast<double>(grid.columns), static_cast<double>(grid.rows), grid.spacing_x_m,
                          grid.spacing_y_m, static_cast<double>(grid.width), static_cast<double>(grid.height),
                          grid.fov_h_deg, position.s + 0.0, position.t + 0.0, settings.blocks.t1_px,
-                         settings.blocks.t2_px, static_cast<double>(settings.paths_per_pixel)})
+                         settings.blocks.t2_px, static_cast<double>(settings.paths_per_pixel),
+                         static_cast<double>(settings.row_begin), static_cast<double>(settings.row_end)})
     hash.add(v);
   hash.add_bytes(&settings.seed, sizeof settings.seed);
   return hash.hex();
