@@ -1,8 +1,11 @@
 #include "experiments/reproduce/laboratory.h"
 
 #include <algorithm>
+#include <numeric>
 #include <optional>
 
+#include "analysis/timing.h"
+#include "core/base/parallel.h"
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
@@ -64,13 +67,17 @@ int Laboratory::paths_per_pixel(const std::string& id) {
       .paths_per_pixel;
 }
 
-KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, const ViewGrid& grid,
-                                                   CameraPosition position, int paths_per_pixel) {
+RenderSettings Laboratory::settings(int paths_per_pixel) const {
   RenderSettings settings;
   settings.paths_per_pixel = options_.effort == Effort::kTiny ? kBlockSamples : paths_per_pixel;
   settings.seed = options_.seed;
   settings.threads = options_.threads;
-  CachedView view = render_view_cached(scene, grid, position, settings, options_.cache);
+  return settings;
+}
+
+KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, const ViewGrid& grid,
+                                                   CameraPosition position, int paths_per_pixel) {
+  CachedView view = render_view_cached(scene, grid, position, settings(paths_per_pixel), options_.cache);
   ++(view.from_cache ? tally_.from_cache : tally_.rendered);
   tally_.seconds += view.rendered.stats.seconds;
   tally_.rays += view.rendered.stats.rays();
@@ -101,6 +108,32 @@ KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition p
   SceneState& s = state(id);
   if (!s.prepared) s.prepared.emplace(s.scene);
   return render_prepared(*s.prepared, grid(id), position, paths_per_pixel(id));
+}
+
+std::vector<SceneImage> Laboratory::truth_rows(const std::string& id,
+                                               const std::vector<CameraPosition>& positions, int row) {
+  SceneState& s = state(id);
+  if (!s.prepared) s.prepared.emplace(s.scene);
+  const ViewGrid views = grid(id);
+  RenderSettings one_row = settings(paths_per_pixel(id));
+  one_row.row_begin = row;
+  one_row.row_end = row + 1;
+  one_row.threads = 1;  // a row is one piece of work: the rows are shared out instead
+  std::vector<SceneImage> rows(positions.size());
+  std::vector<std::uint64_t> rays(positions.size());
+  const Stopwatch watch;
+  parallel_for(static_cast<int>(positions.size()), 1, options_.threads, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
+      const CachedView view = render_view_cached(*s.prepared, views, positions[i], one_row, options_.cache);
+      rows[i] = SceneImage(views.width, 1);
+      std::copy_n(view.rendered.view.colour.row(row), views.width, rows[i].row(0));
+      rays[i] = view.rendered.stats.rays();
+    }
+  });
+  const std::uint64_t all_rays = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
+  tally_.rays += all_rays;
+  if (all_rays > 0) tally_.seconds += watch.seconds();
+  return rows;
 }
 
 const PreparedScene& Laboratory::prepared(const Scene& scene) {

@@ -58,6 +58,10 @@ class Laboratory {
   const Synthesizer& synthesizer(const std::string& id);
   /// The rendered view at a position of the scene's grid.
   KeyView<SceneReferred> truth(const std::string& id, CameraPosition position);
+  /// Row `row` of the views at these positions, as in truth(): one image one pixel high for each. Costs no
+  /// more than these rows, which do not count as views in the tally.
+  std::vector<SceneImage> truth_rows(const std::string& id, const std::vector<CameraPosition>& positions,
+                                     int row);
 
   /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16,
   /// lowered to 16 in a tiny run.
@@ -74,6 +78,7 @@ class Laboratory {
   struct SceneState;
   SceneState& state(const std::string& id);
   const PreparedScene& prepared(const Scene& scene);
+  RenderSettings settings(int paths_per_pixel) const;
   KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid,
                                          CameraPosition position, int paths_per_pixel);
 
