@@ -48,8 +48,8 @@ EpiSlopes epi_slopes(const DisplayImage& image, EpiDirection direction, const Ep
 /// Slope a point of `disparity_px` must have: −disparity·step (times vertical_ratio = b_v/b_h for columns).
 double expected_epi_slope(double disparity_px, double step_in_spacings, double vertical_ratio = 1);
 
-/// A line drawn onto an EPI: through `position_px` (pixel along the row or column) at frame `frame`, with
-/// `slope`.
+/// A line drawn onto an EPI: in the middle of frame `frame` it stands at `position_px` along the row or
+/// column (image coordinates: the first pixel's centre is at 0.5).
 struct EpiLine {
   double position_px = 0, frame = 0, slope_px_per_frame = 0;
   Rgb colour{0, 1, 1};

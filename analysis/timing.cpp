@@ -1,0 +1,92 @@
+#include "analysis/timing.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/statistics.h"
+#include "core/base/error.h"
+
+namespace plenolab {
+namespace {
+
+/// A "Key:  123 kB" line of /proc/self/status in MiB.
+std::optional<double> status_mib(const std::string& key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, key.size(), key) != 0) continue;
+    std::istringstream fields(line.substr(key.size() + 1));
+    double kib = 0;
+    if (fields >> kib) return kib / 1024;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+TimingSummary summarise_times(std::vector<double> seconds) {
+  PLENOLAB_CHECK(!seconds.empty(), "no run to summarise");
+  TimingSummary summary;
+  summary.runs = static_cast<int>(seconds.size());
+  summary.median_s = median(seconds);
+  summary.lower_quartile_s = quantile(seconds, 0.25);
+  summary.upper_quartile_s = quantile(seconds, 0.75);
+  summary.min_s = quantile(seconds, 0);
+  summary.max_s = quantile(seconds, 1);
+  return summary;
+}
+
+void TimingOptions::validate() const {
+  if (runs < 1) throw InputError(fmt::format("the number of timed runs is {} but must be at least 1", runs));
+  if (warm_up_runs < 0)
+    throw InputError(fmt::format("warm_up_runs is {} but must not be negative", warm_up_runs));
+}
+
+TimingSummary time_repeated(const std::function<void()>& work, const TimingOptions& options) {
+  options.validate();
+  for (int i = 0; i < options.warm_up_runs; ++i) work();
+  const bool peak_known = reset_peak_resident();
+  const std::optional<double> before = resident_mib();
+  std::vector<double> seconds;
+  for (int i = 0; i < options.runs; ++i) {
+    const Stopwatch watch;
+    work();
+    seconds.push_back(watch.seconds());
+  }
+  TimingSummary summary = summarise_times(std::move(seconds));
+  const std::optional<double> peak = peak_resident_mib();
+  if (peak_known && before && peak) summary.peak_memory_mib = std::max(0.0, *peak - *before);
+  return summary;
+}
+
+void add_timing_rows(ResultTable& table, const TimingSummary& timing,
+                     const std::vector<std::pair<std::string, Cell>>& columns) {
+  const auto add = [&](const char* quantity, double value, const char* unit) {
+    table.add({quantity, value, unit, columns});
+  };
+  add("seconds_median", timing.median_s, "s");
+  add("seconds_lower_quartile", timing.lower_quartile_s, "s");
+  add("seconds_upper_quartile", timing.upper_quartile_s, "s");
+  add("seconds_min", timing.min_s, "s");
+  add("seconds_max", timing.max_s, "s");
+  add("runs", timing.runs, "1");
+  if (timing.peak_memory_mib) add("peak_memory_mib", *timing.peak_memory_mib, "MiB");
+}
+
+std::optional<double> peak_resident_mib() {
+  return status_mib("VmHWM");
+}
+std::optional<double> resident_mib() {
+  return status_mib("VmRSS");
+}
+
+bool reset_peak_resident() {
+  // "5" resets the peak resident set (proc(5), /proc/pid/clear_refs).
+  std::ofstream file("/proc/self/clear_refs");
+  file << "5" << std::flush;
+  return file.good();
+}
+
+}  // namespace plenolab

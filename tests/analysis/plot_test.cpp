@@ -1,0 +1,140 @@
+#include "analysis/plot.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <limits>
+
+#include "analysis/plot_script.h"
+#include "analysis/subprocess.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+
+namespace plenolab {
+namespace {
+
+Plot sweep() {
+  Plot plot;
+  plot.x = {"Run time", "s", true, {}, {}};
+  plot.y = {"RMS error", "1", true, {}, {}};
+  plot.marked_title = "Pareto front";
+  plot.series = {{"linear search",
+                  PlotSeries::Style::kLinesPoints,
+                  {{0.01, 1e-2, {}, {}, "4 px", true}, {1, 1e-5, 8e-6, 2e-5, "", false}}},
+                 {"fast", PlotSeries::Style::kPoints, {{0.02, 3e-3, {}, {}, "", true}}}};
+  return plot;
+}
+
+TEST(Plot, DrawsTheSameSvgEveryTime) {
+  const std::string svg = plot_svg(sweep());
+  EXPECT_EQ(svg, plot_svg(sweep()));
+  EXPECT_NE(svg.find("<svg"), std::string::npos);
+  EXPECT_NE(svg.find("linear search"), std::string::npos);
+  EXPECT_NE(svg.find("Run time [s]"), std::string::npos);
+  EXPECT_NE(svg.find("Pareto front"), std::string::npos);
+}
+
+TEST(Plot, HasItsOwnInkForDarkPages) {
+  EXPECT_NE(plot_svg(sweep(), PlotTheme::kLight), plot_svg(sweep(), PlotTheme::kDark));
+}
+
+TEST(Plot, WritesScriptDataSvgAndPdf) {
+  const TemporaryFolder folder;
+  const PlotFiles files = write_plot(sweep(), folder.path() / "new" / "it's `a` plot");
+  EXPECT_EQ(read_text_file(files.svg), plot_svg(sweep()));
+  EXPECT_NE(read_text_file(files.svg_dark), read_text_file(files.svg));
+  EXPECT_EQ(read_text_file(files.pdf).substr(0, 5), "%PDF-");
+  EXPECT_EQ(read_text_file(files.data),
+            "series,x,y,y_low,y_high,label,marked\r\nlinear search,0.01,0.01,,,4 px,1\r\n"
+            "linear search,1,1e-05,8e-06,2e-05,,0\r\nfast,0.02,0.003,,,,1\r\n");
+  const TemporaryFolder elsewhere;
+  std::filesystem::copy(files.script, elsewhere.path() / "again.gp");
+  EXPECT_EQ(run_process({"gnuplot", "-d", "again.gp"}, elsewhere.path()).exit_code, 0);
+  EXPECT_EQ(read_text_file(elsewhere.path() / files.svg.filename()), read_text_file(files.svg));
+}
+
+TEST(Plot, TakesAnyTextLiterally) {
+  const TemporaryFolder folder;
+  const std::string evil =
+      "`touch " + (folder.path() / "owned").string() + "` it's \"x_{y}\" @ ^\n; system('false')";
+  Plot plot = sweep();
+  plot.title = plot.x.title = plot.marked_title = plot.series[0].title = plot.series[0].points[0].label =
+      evil;
+  const std::string svg = plot_svg(plot);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "owned"));
+  EXPECT_NE(svg.find("x_{y}"), std::string::npos);
+  EXPECT_EQ(detail::gnuplot_quoted("a'b\nc"), "'a''b c'");
+}
+
+TEST(Plot, DrawsBarsWithCategoriesAndErrorBars) {
+  Plot plot;
+  plot.categories = {"cellar", "desk"};
+  plot.y = {"Unseen pixels", "%", false, {}, {}};
+  plot.series = {
+      {"shifted", PlotSeries::Style::kPoints, {{0, 1.5, 1.0, 2.0, "", false}, {0, 0, 0, 0.1, "", false}}},
+      {"fixed", PlotSeries::Style::kPoints, {{0, 3, {}, {}, "", false}, {0, 2, {}, {}, "", false}}}};
+  EXPECT_NE(plot_svg(plot).find("cellar"), std::string::npos);
+  plot.series[1].points.pop_back();
+  EXPECT_THROW(plot_svg(plot), InputError);
+}
+
+TEST(Plot, DrawsHeatMaps) {
+  HeatMap map;
+  map.x_values = {0, 1, 2};
+  map.y_values = {0, 10};
+  map.values = {1, 2, 3, 4, 5, 6};
+  map.value_title = "Error [dB]";
+  EXPECT_EQ(plot_svg(map), plot_svg(map));
+  EXPECT_NE(plot_svg(map).find("Error [dB]"), std::string::npos);
+  map.values.pop_back();
+  EXPECT_THROW(plot_svg(map), InputError);
+}
+
+TEST(Plot, DrawsASinglePointOnAnyAxis) {
+  for (const bool logarithmic : {false, true}) {
+    Plot plot;
+    plot.x.logarithmic = plot.y.logarithmic = logarithmic;
+    plot.series = {{"one", PlotSeries::Style::kLinesPoints, {{2, 2, {}, {}, "", false}}}};
+    EXPECT_NE(plot_svg(plot).find("</svg>"), std::string::npos);
+  }
+}
+
+TEST(Plot, RefusesWhatCannotBeDrawn) {
+  EXPECT_THROW(plot_svg(Plot{}), InputError);
+  Plot plot = sweep();
+  plot.series[0].points[0].x = 0;
+  EXPECT_THROW(plot_svg(plot), InputError);
+  plot = sweep();
+  plot.series[0].points[0].y = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(plot_svg(plot), InputError);
+  plot = sweep();
+  plot.series[0].points[0].y_low = 1e-3;
+  EXPECT_THROW(plot_svg(plot), InputError);
+  plot = sweep();
+  plot.series[1].points.clear();
+  EXPECT_THROW(plot_svg(plot), InputError);
+}
+
+TEST(Plot, SaysSoWhenGnuplotIsMissing) {
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  std::string message;
+  try {
+    plot_svg(sweep());
+  } catch (const InputError& error) {
+    message = error.what();
+  }
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_NE(message.find("gnuplot"), std::string::npos);
+  EXPECT_NE(message.find("install"), std::string::npos);
+}
+
+TEST(Subprocess, ReturnsExitCodeAndOutput) {
+  const ProcessResult result = run_process({"sh", "-c", "pwd; echo \"$1\" >&2; exit 3", "sh", "a; b"}, "/");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.output, "/\na; b\n");
+  EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"}, "/").exit_code, 137);
+}
+
+}  // namespace
+}  // namespace plenolab
