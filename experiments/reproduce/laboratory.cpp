@@ -70,7 +70,7 @@ int Laboratory::paths_per_pixel(const std::string& id) {
 RenderSettings Laboratory::settings(int paths_per_pixel) const {
   RenderSettings settings;
   settings.paths_per_pixel = options_.effort == Effort::kTiny ? kBlockSamples : paths_per_pixel;
-  settings.seed = options_.seed;
+  settings.seed = options_.seed + seed_offset;
   settings.threads = options_.threads;
   return settings;
 }
@@ -144,16 +144,17 @@ const PreparedScene& Laboratory::prepared(const Scene& scene) {
 }
 
 KeyView<SceneReferred> Laboratory::render(const Scene& scene, const ViewGrid& grid, CameraPosition position,
-                                          int paths_per_pixel) {
-  return render_prepared(prepared(scene), grid, position, paths_per_pixel);
+                                          int paths_per_pixel, std::uint64_t seed_offset) {
+  return render_prepared(prepared(scene), grid, position, paths_per_pixel, seed_offset);
 }
 
-LightField Laboratory::render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel) {
+LightField Laboratory::render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel,
+                                    std::uint64_t seed_offset) {
   std::vector<KeyView<SceneReferred>> views;
   for (int row = 0; row < grid.rows; ++row)
     for (int column = 0; column < grid.columns; ++column)
-      views.push_back(
-          render(scene, grid, {static_cast<double>(column), static_cast<double>(row)}, paths_per_pixel));
+      views.push_back(render(scene, grid, {static_cast<double>(column), static_cast<double>(row)},
+                             paths_per_pixel, seed_offset));
   const std::string name = scene.variant.empty() ? scene.id : scene.id + " (" + scene.variant + ")";
   return LightField::from_views(grid, RadianceUnit::kCdM2, name, std::move(views));
 }

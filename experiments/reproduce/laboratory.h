@@ -64,11 +64,12 @@ class Laboratory {
                                      int row);
 
   /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16,
-  /// lowered to 16 in a tiny run.
+  /// lowered to 16 in a tiny run. Another `seed_offset` gives the same view with independent noise.
   KeyView<SceneReferred> render(const Scene& scene, const ViewGrid& grid, CameraPosition position,
-                                int paths_per_pixel);
+                                int paths_per_pixel, std::uint64_t seed_offset = 0);
   /// All key views of such a scene, rendered at once.
-  LightField render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel);
+  LightField render_field(const Scene& scene, const ViewGrid& grid, int paths_per_pixel,
+                          std::uint64_t seed_offset = 0);
   /// The probe grid for this effort: `grid` itself, or a third of its image size in a tiny run.
   ViewGrid scaled(ViewGrid grid) const;
 
@@ -80,7 +81,8 @@ class Laboratory {
   const PreparedScene& prepared(const Scene& scene);
   RenderSettings settings(int paths_per_pixel) const;
   KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid,
-                                         CameraPosition position, int paths_per_pixel);
+                                         CameraPosition position, int paths_per_pixel,
+                                         std::uint64_t seed_offset = 0);
 
   LaboratoryOptions options_;
   std::map<std::string, std::unique_ptr<SceneState>> scenes_;
