@@ -2,6 +2,7 @@
 
 #include <embree3/rtcore.h>
 #include <fmt/format.h>
+#include <tbb/task_arena.h>
 
 #include <cmath>
 #include <cstring>
@@ -64,7 +65,7 @@ RTCRayHit cast(RTCScene embree, const Ray& ray) {
 
 RayScene::RayScene(const Scene& scene) : state_(std::make_unique<State>()) {
   state_->scene = &scene;
-  state_->device = rtcNewDevice("threads=1");
+  state_->device = rtcNewDevice(nullptr);
   PLENOLAB_CHECK(state_->device,
                  fmt::format("Embree error {}", static_cast<int>(rtcGetDeviceError(nullptr))));
   state_->embree = rtcNewScene(state_->device);
@@ -73,7 +74,9 @@ RayScene::RayScene(const Scene& scene) : state_(std::make_unique<State>()) {
   for (std::size_t i = 0; i < scene.meshes.size(); ++i)
     if (!scene.meshes[i].triangles.empty())
       attach(state_->device, state_->embree, scene.meshes[i], static_cast<unsigned>(i));
-  rtcCommitScene(state_->embree);
+  // One thread makes the tree repeatable. Not by the device option "threads=1": that limits the whole
+  // process.
+  tbb::task_arena(1).execute([&] { rtcCommitScene(state_->embree); });
   const RTCError error = rtcGetDeviceError(state_->device);
   PLENOLAB_CHECK(error == RTC_ERROR_NONE, fmt::format("Embree error {}", static_cast<int>(error)));
 }

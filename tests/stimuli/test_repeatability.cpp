@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <tbb/global_control.h>
 
 #include <cmath>
 
@@ -51,6 +52,15 @@ TEST(Repeatability, AnyNumberOfThreadsGivesTheSameBits) {
     EXPECT_TRUE(identical(one, more)) << threads << " threads";
     EXPECT_EQ(one.stats.shadow_rays, more.stats.shadow_rays);
   }
+}
+
+TEST(Repeatability, APreparedSceneLeavesTheProcessItsThreads) {
+  const auto limit = [] {
+    return tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  };
+  const std::size_t before = limit();
+  const PreparedScene prepared(full_scene());
+  EXPECT_EQ(limit(), before);
 }
 
 TEST(Repeatability, PruningChangesNoBitWhateverASceneLacks) {
