@@ -237,11 +237,9 @@ std::string plot_commands(const HeatMap& map, PlotOutput output, const std::stri
       "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\nunset key\nunset grid\n";
   text += fmt::format("set cblabel {} noenhanced textcolor rgb '{}'\n", gnuplot_quoted(map.value_title),
                       ink.text);
-  text +=
-      "set colorbox noborder
-      ";
-      return text +
-      "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid linecolor palette\nset output\n";
+  text += "set colorbox noborder\n";
+  return text +
+         "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid linecolor palette\nset output\n";
 }
 
 }  // namespace plenolab::detail
