@@ -13,6 +13,8 @@ endif()
 
 # Contraction would make scalar and vector code round differently; results must not depend on the code path.
 add_compile_options(-Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wold-style-cast -ffp-contract=off -fno-math-errno)
+# Options structs are filled by designated initialisers; the members left out have defaults.
+add_compile_options(-Wno-missing-field-initializers)
 if(PLENOLAB_WARNINGS_AS_ERRORS)
   add_compile_options(-Werror)
 endif()
