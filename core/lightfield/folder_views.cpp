@@ -14,6 +14,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+template <class Value>
+[[noreturn]] void wrong_pixel(const std::string& file, const Plane<float>& plane, std::size_t index,
+                              Value what) {
+  const std::size_t width = static_cast<std::size_t>(plane.width());
+  throw InputError(fmt::format("{}: {} {} at pixel ({}, {})", file, what, plane.pixels()[index],
+                               index % width, index / width));
+}
+
+}  // namespace
+
 fs::path view_path(const fs::path& folder, const LightFieldDescription& description, int column, int row) {
   return folder /
          expand_view_pattern(description.view_pattern, column, row, (folder / kDescriptionFile).string());
@@ -39,16 +49,6 @@ void check_view_file(const fs::path& path, const LightFieldDescription& d) {
     throw InputError(fmt::format("{} has {} × {} pixels, but {} says {} × {}", path.string(), part->width,
                                  part->height, kDescriptionFile, d.grid.width, d.grid.height));
 }
-
-template <class Value>
-[[noreturn]] void wrong_pixel(const std::string& file, const Plane<float>& plane, std::size_t index,
-                              Value what) {
-  const std::size_t width = static_cast<std::size_t>(plane.width());
-  throw InputError(fmt::format("{}: {} {} at pixel ({}, {})", file, what, plane.pixels()[index],
-                               index % width, index / width));
-}
-
-}  // namespace
 
 void check_view_files(const fs::path& folder, const LightFieldDescription& description) {
   for (int row = 0; row < description.grid.rows; ++row)
@@ -78,8 +78,7 @@ void check_disparity(const Plane<float>& disparity, const std::string& file) {
 }
 
 template <class Referral>
-KeyView<Referral> read_view(const fs::path& folder, const LightFieldDescription& d, int column, int row) {
-  const fs::path path = view_path(folder, d, column, row);
+KeyView<Referral> read_view_file(const fs::path& path, const LightFieldDescription& d) {
   std::vector<Plane<float>> planes = read_exr_channels(path, {d.r, d.g, d.b, d.geometry});
   KeyView<Referral> view;
   view.colour = RgbImage<Referral>(planes[0].width(), planes[0].height());
@@ -91,7 +90,7 @@ KeyView<Referral> read_view(const fs::path& folder, const LightFieldDescription&
   return view;
 }
 
-template KeyView<SceneReferred> read_view(const fs::path&, const LightFieldDescription&, int, int);
-template KeyView<DisplayReferred> read_view(const fs::path&, const LightFieldDescription&, int, int);
+template KeyView<SceneReferred> read_view_file(const fs::path&, const LightFieldDescription&);
+template KeyView<DisplayReferred> read_view_file(const fs::path&, const LightFieldDescription&);
 
 }  // namespace plenolab

@@ -15,10 +15,17 @@ inline constexpr float kInfiniteDepth_m = 1e9f;
 /// it says. Throws InputError naming the first file that does not.
 void check_view_files(const std::filesystem::path& folder, const LightFieldDescription& description);
 
-/// Reads one view; depth becomes disparity. Throws InputError as open_light_field says.
+/// The same for one file.
+void check_view_file(const std::filesystem::path& path, const LightFieldDescription& description);
+
+/// Path of view (column, row) by the description's pattern.
+std::filesystem::path view_path(const std::filesystem::path& folder, const LightFieldDescription& description,
+                                int column, int row);
+
+/// Reads one view by the description's channels; depth becomes disparity. Throws InputError as
+/// open_light_field says.
 template <class Referral>
-KeyView<Referral> read_view(const std::filesystem::path& folder, const LightFieldDescription& description,
-                            int column, int row);
+KeyView<Referral> read_view_file(const std::filesystem::path& path, const LightFieldDescription& description);
 
 /// Turns planar depth into disparity in place. Throws InputError naming `file` for depth ≤ 0 or NaN.
 void depth_to_disparity(Plane<float>& plane, const ViewGrid& grid, const std::string& file);

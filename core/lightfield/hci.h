@@ -49,8 +49,10 @@ struct HciImportOptions {
 /// gt_disp_lowres_Cam%03d.pfm, per view gt_depth_lowres_Cam%03d.pfm, centre gt_disp_lowres.pfm,
 /// gt_depth_lowres.pfm, gt_disp_highres.pfm (the sample at each pixel's centre). Centre-only truth is spread
 /// to the other views by forward warping: the nearest surface wins, holes take the farther of their two
-/// neighbours in the row. Throws InputError naming the missing or wrong file, or if the views have no area in
-/// common.
+/// neighbours in the row, cracks of one pixel in a surface are closed. Disparity is not interpolated across
+/// depth edges
+/// (> 1 px); d between −0.01 and 0 counts as rounding at infinity and becomes 0. Throws InputError naming the
+/// missing or wrong file, or if the views have no area in common.
 DisplayLightField import_hci(const std::filesystem::path& folder, const HciImportOptions& options = {});
 
 /// The same as relative scene radiance, decoded by gamma 2.2 (the benchmark's tone curve is unknown:

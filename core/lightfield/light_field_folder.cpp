@@ -29,7 +29,7 @@ BasicLightField<Referral> open_any(const fs::path& folder, const LightFieldDescr
                                    const OpenLightFieldOptions& options) {
   check_view_files(folder, description);
   const auto load = [folder, description](int column, int row) {
-    return read_view<Referral>(folder, description, column, row);
+    return read_view_file<Referral>(view_path(folder, description, column, row), description);
   };
   return BasicLightField<Referral>(description.grid, description.unit, folder.string(), load,
                                    options.memory_bound_bytes);
