@@ -129,7 +129,8 @@ void add_mast(SceneAssembler& scene, const Materials& m, const Eigen::Affine3f& 
   scene.add(m.inside, numbered(rod(step, head, 0.06f, 0.035f, 12), 5));
   const Vec3 gooseneck = at * Vec3(0, 0.3f, 1.15f), boom_end = at * Vec3(0.15f, -1.9f, 1.3f);
   scene.add(m.inside, numbered(rod(gooseneck, boom_end, 0.04f, 0.03f, 10), 6));
-  const std::array furled{Vec3(gooseneck + Vec3(0, 0, 0.1f)), Vec3((gooseneck + boom_end) / 2 + Vec3(0, 0, 0.13f)),
+  const std::array furled{Vec3(gooseneck + Vec3(0, 0, 0.1f)),
+                          Vec3((gooseneck + boom_end) / 2 + Vec3(0, 0, 0.13f)),
                           Vec3(boom_end + Vec3(0, 0, 0.07f))};
   scene.add(m.white, tube(furled, std::array{0.11f, 0.12f, 0.05f}, 12));
   for (const float side : {-1.f, 1.f}) {

@@ -25,21 +25,16 @@ struct Materials {
 };
 
 Materials make_materials(SceneAssembler& scene) {
-  const auto pits = bumped([](const Vec3& p) { return 0.004f * fractal_noise(p * 40, 3, 5); }, 0.002f);
+  const auto pits = bumpy({.height_m = 0.004f});
   Materials m{};
   m.wood = scene.material(
       diffuse(wood({.light = {0.50f, 0.36f, 0.22f}, .dark = {0.20f, 0.125f, 0.07f}, .seed = 3})));
-  m.beam =
-      scene.material(diffuse(wood({.light = {0.46f, 0.32f, 0.19f},
-                                   .dark = {0.15f, 0.09f, 0.05f},
-                                   .ring_m = 0.016f,
-                                   .weathering = 0.45f,
-                                   .seed = 9}),
-                             bumped(
-                                 [](const Vec3& p) {
-                                   return 0.003f * fractal_noise({p.x() * 60, p.y() * 60, p.z() * 5}, 3, 8);
-                                 },
-                                 0.002f)));
+  m.beam = scene.material(diffuse(wood({.light = {0.46f, 0.32f, 0.19f},
+                                        .dark = {0.15f, 0.09f, 0.05f},
+                                        .ring_m = 0.016f,
+                                        .weathering = 0.45f,
+                                        .seed = 9}),
+                                  bumpy({.height_m = 0.003f, .frequency_per_m = {60, 60, 5}})));
   m.stone =
       scene.material(diffuse(stone({.light = {0.60f, 0.53f, 0.43f}, .dark = {0.30f, 0.27f, 0.235f}}), pits));
   m.floor = scene.material(

@@ -61,13 +61,9 @@ Materials make_materials(SceneAssembler& scene) {
   Materials m{};
   m.meadow = scene.material(diffuse(meadow_colour));
   m.grass = scene.material(diffuse(blade_colour));
-  m.bark = scene.material(
-      diffuse(bark({0.31f, 0.265f, 0.215f}, {0.09f, 0.075f, 0.06f}, 25),
-              bumped(
-                  [](const Vec3& p) {
-                    return 0.02f * fractal_noise({p.x() * 14, p.y() * 14, p.z() * 3.5f}, 3, 26);
-                  },
-                  0.004f)));
+  m.bark =
+      scene.material(diffuse(bark({0.31f, 0.265f, 0.215f}, {0.09f, 0.075f, 0.06f}, 25),
+                             bumpy({.height_m = 0.02f, .frequency_per_m = {14, 14, 3.5f}, .octaves = 3})));
   m.leaves = scene.material(diffuse(leaf_colour));
   m.wood = scene.material(
       diffuse(wood({.light = {0.42f, 0.36f, 0.29f}, .dark = {0.2f, 0.165f, 0.13f}, .weathering = 0.75f})));

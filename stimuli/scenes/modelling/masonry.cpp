@@ -52,11 +52,15 @@ void add_stone_wall(SceneAssembler& scene, int stone, int mortar, const Eigen::A
                     float height_m, const MasonryLook& look, const std::optional<WallOpening>& opening,
                     float reveal_m) {
   MasonryLook panel_look = look;
+  // Mortar reaches past the ends of the wall, so that no light leaks through where walls and floor meet.
+  constexpr float kPast = 0.12f;
   const auto add_panel = [&](float x0, float x1, float z0, float z1) {
     if (x1 - x0 < 2 * look.rounding || z1 - z0 < 2 * look.rounding) return;
     ++panel_look.seed;
     scene.add(stone, placed(placed(stone_courses(x1 - x0, z1 - z0, panel_look), Vec3(x0, 0, z0)), at));
-    scene.add(mortar, placed(upright_rectangle(x0, x1, z0, z1, look.mortar_back), at));
+    const Mesh back = upright_rectangle(x0 > 0 ? x0 : -kPast, x1 < length_m ? x1 : length_m + kPast,
+                                        z0 > 0 ? z0 : -kPast, z1 < height_m ? z1 : height_m + kPast, look.mortar_back);
+    scene.add(mortar, placed(back, at));
   };
   if (!opening) {
     add_panel(0, length_m, 0, height_m);

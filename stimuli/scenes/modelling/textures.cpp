@@ -71,21 +71,19 @@ ColourTexture bark(Rgb ridge, Rgb furrow, std::uint32_t seed) {
   return [=](const SurfacePoint& point) {
     const PartPoint part = part_of(point);
     const Vec3 p(point.position_m.x() * 14, point.position_m.y() * 14, point.position_m.z() * 3.5f);
-    const float plate = cellular_noise(p, seed).second - cellular_noise(p, seed).nearest;
+    const CellularNoise cells = cellular_noise(p, seed);
+    const float plate = cells.second - cells.nearest;
     const float fine = to_unit(fractal_noise(point.position_m * 30, 3, seed + 4));
     return mix(furrow, ridge, smooth_step(0.02f, 0.45f, plate)) * (0.6f + 0.5f * fine) *
            (0.85f + 0.15f * cell_random(part.number, 0, 0, seed));
   };
 }
 
-NormalTexture bumped(std::function<float(const Vec3& position_m)> height_m, float step_m) {
-  return [height_m = std::move(height_m), step_m](const SurfacePoint& point) {
-    Vec3 gradient;
-    for (int axis = 0; axis < 3; ++axis) {
-      Vec3 step = Vec3::Zero();
-      step[axis] = step_m;
-      gradient[axis] = (height_m(point.position_m + step) - height_m(point.position_m - step)) / (2 * step_m);
-    }
+NormalTexture bumpy(const BumpLook& look) {
+  return [look](const SurfacePoint& point) {
+    const Vec3 slope =
+        fractal_noise_slope(point.position_m.cwiseProduct(look.frequency_per_m), look.octaves, look.seed);
+    const Vec3 gradient = look.height_m * slope.cwiseProduct(look.frequency_per_m);
     const Vec3 tangential = gradient - point.normal * gradient.dot(point.normal);
     return Vec3((point.normal - tangential).normalized());
   };

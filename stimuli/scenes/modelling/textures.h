@@ -39,8 +39,15 @@ ColourTexture mottled(Rgb base, Rgb stain, float scale_m, float balance, std::ui
 /// Furrowed bark: ridges along v of a tube.
 ColourTexture bark(Rgb ridge, Rgb furrow, std::uint32_t seed);
 
-/// Shading normal of a height field over space: n tilted against the tangential gradient of `height_m`
-/// (central differences of `step_m`). Bump mapping after Blinn 1978.
-NormalTexture bumped(std::function<float(const Vec3& position_m)> height_m, float step_m);
+/// Shading normal of a surface whose height is fractal noise over space: n tilted against the tangential
+/// gradient (bump mapping, Blinn 1978). `height_m` is the largest height, `frequency_per_m` of its features
+/// along each axis.
+struct BumpLook {
+  float height_m = 0.003f;
+  Vec3 frequency_per_m{40, 40, 40};
+  int octaves = 2;
+  std::uint32_t seed = 5;
+};
+NormalTexture bumpy(const BumpLook& look);
 
 }  // namespace plenolab
