@@ -30,7 +30,8 @@ std::string badge(Outcome outcome, const std::string& text) {
 }
 
 std::string with_unit(double value, const std::string& unit) {
-  return format_number(value) + (unit.empty() || unit == "1" ? "" : " " + escape_html(unit));
+  if (unit.empty() || unit == "1") return format_number(value);
+  return fmt::format("{} {}", format_number(value), escape_html(unit));
 }
 
 /// A small drawing of interval, estimate and threshold on a common line.
