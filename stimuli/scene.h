@@ -32,10 +32,13 @@ using NormalTexture = std::function<Vec3(const SurfacePoint&)>;
 /// How a surface scatters light. Radiance is linear BT.709 RGB in cd/m².
 struct Material {
   enum class Kind {
-    kDiffuse,     ///< Lambert: albedo
-    kGlossy,      ///< GGX reflection (Walter et al. 2007, Fresnel from `ior`) over a Lambert base: albedo,
-                  ///< roughness, ior
-    kMetal,       ///< GGX reflection with normal-incidence reflectance `albedo`: roughness
+    kDiffuse,  ///< Lambert: albedo
+    kGlossy,   ///< GGX reflection (Walter et al. 2007, Fresnel from `ior`) over a Lambert base: albedo,
+               ///< roughness, ior
+    /// GGX reflection with normal-incidence reflectance `albedo`: roughness. Light scattered more than once
+    /// between facets is lost, as in kGlossy: a white metal seen head-on keeps 0.99 at α = 0.1, 0.87 at 0.3,
+    /// 0.31 at 1.
+    kMetal,
     kMirror,      ///< ideal reflection of share `albedo`
     kDielectric,  ///< smooth refracting boundary (glass, water): ior, absorption on the inner side
     kEmitter,     ///< diffuse light source: radiance_cd_m2, front side only unless two_sided
@@ -79,8 +82,8 @@ struct Sky {
   float turbidity = 3;
 };
 
-/// A homogeneous participating medium inside an axis-aligned box; single scattering of sun and lamps,
-/// attenuation of everything seen through it.
+/// A homogeneous participating medium inside an axis-aligned box; single scattering of sun and lamps (not of
+/// the sky), attenuation of everything seen through it and of all light that crosses it.
 struct Medium {
   Vec3 min_m, max_m;
   float scattering_per_m = 0, absorption_per_m = 0;

@@ -61,6 +61,14 @@ RTCRayHit cast(RTCScene embree, const Ray& ray) {
   return query;
 }
 
+Vec3 unit_normal(const Vec3& e1, const Vec3& e2) {
+  const Vec3 cross = e1.cross(e2);
+  const float length2 = cross.squaredNorm();
+  // In a tiny triangle the square underflows: normalise the edges first.
+  if (length2 < 1e-30f) return e1.normalized().cross(e2.normalized()).normalized();
+  return cross / std::sqrt(length2);
+}
+
 }  // namespace
 
 RayScene::RayScene(const Scene& scene) : state_(std::make_unique<State>()) {
@@ -94,8 +102,7 @@ bool RayScene::intersect(const Ray& ray, Hit& hit) const {
 
   hit.distance_m = query.ray.tfar;
   hit.point.position_m = p0 + b * e1 + c * e2;
-  // Normalised edges: the cross product of a tiny triangle would lose its length to underflow.
-  hit.geometric_normal = e1.normalized().cross(e2.normalized()).normalized();
+  hit.geometric_normal = unit_normal(e1, e2);
   hit.front = hit.geometric_normal.dot(ray.direction) < 0;
   if (!hit.front) hit.geometric_normal = -hit.geometric_normal;
   hit.point.normal = hit.geometric_normal;

@@ -18,7 +18,7 @@ using namespace testing;
 // A closed room with a lamp and six spheres of 2 × 48² × 2 triangles.
 Scene box_interior() {
   Scene scene = empty_scene();
-  scene.materials = {diffuse(0.6f), lamp({2000, 2000, 2000})};
+  scene.materials = {diffuse(0.6f), lamp({2000, 2000, 2000}, false)};
   const auto wall = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {
     scene.meshes.push_back(parallelogram(corner, u, v, 0));
   };
