@@ -133,8 +133,9 @@ std::string series_commands(const Plot& plot, std::size_t index, PlotOutput outp
   if (has_bars(series)) {
     const std::string bar_colour =
         is_bar_chart(plot) ? fmt::format("linecolor rgb '{}'", plot_ink(output).text) : colour;
-    text = fmt::format("$bars{} using 1:2:3:4 with yerrorbars {} linewidth 1.2 pointtype 0 notitle", index,
-                       bar_colour);
+    text =
+        fmt::format("$bars{} using 1:2:3:4 with yerrorbars {} linewidth 1.2 pointtype 0 pointsize 0 notitle",
+                    index, bar_colour);
   }
   std::string body;
   if (is_bar_chart(plot)) {

@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <optional>
+#include <vector>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -11,15 +15,35 @@
 namespace plenolab::detail {
 namespace {
 
-std::string cell_html(const Cell& cell, int digits) {
-  if (const auto* text = std::get_if<std::string>(&cell)) return "<td>" + escape_html(*text) + "</td>";
+/// Decimals that give the numbers of a column the same number of places, if all are of about the same size;
+/// otherwise each number gets its own significant digits.
+std::optional<int> common_decimals(const ReportTable& table, std::size_t column) {
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  for (const auto& row : table.rows) {
+    const double* number = std::get_if<double>(&row[column]);
+    if (number == nullptr || !std::isfinite(*number) || *number == 0) continue;
+    smallest = std::min(smallest, std::abs(*number));
+    largest = std::max(largest, std::abs(*number));
+  }
+  if (largest == 0 || largest > 10 * smallest || largest >= 1e7 || smallest < 1e-4) return std::nullopt;
+  return std::max(0, table.digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
+}
+
+std::string number_text(double number, int digits, std::optional<int> decimals) {
+  return decimals && std::isfinite(number) ? fmt::format("{:.{}f}", number, *decimals)
+                                           : format_number(number, digits);
+}
+
+std::string cell_html(const Cell& cell, int digits, std::optional<int> decimals) {
+  if (const auto* text = std::get_if<std::string>(&cell))
+    return fmt::format("<td>{}</td>", escape_html(*text));
   if (const auto* whole = std::get_if<long long>(&cell)) {
     return fmt::format("<td class=\"num\" data-v=\"{0}\">{0}</td>", *whole);
   }
   const double number = std::get<double>(cell);
   if (std::isnan(number)) throw InputError("a table holds NaN, which no result may be");
   return fmt::format("<td class=\"num\" data-v=\"{}\">{}</td>", shortest_number(number),
-                     format_number(number, digits));
+                     number_text(number, digits, decimals));
 }
 
 /// Whether a column holds numbers only (and some).
@@ -112,9 +136,11 @@ std::string block_html(const ReportTable& table) {
                         escape_html(table.headings[i]));
   }
   html += "</tr></thead>\n<tbody>\n";
+  std::vector<std::optional<int>> decimals;
+  for (std::size_t i = 0; i < table.headings.size(); ++i) decimals.push_back(common_decimals(table, i));
   for (const auto& row : table.rows) {
     html += "<tr>";
-    for (const Cell& cell : row) html += cell_html(cell, table.digits);
+    for (std::size_t i = 0; i < row.size(); ++i) html += cell_html(row[i], table.digits, decimals[i]);
     html += "</tr>\n";
   }
   return html + "</tbody></table></div>\n";

@@ -34,7 +34,9 @@ struct ReportTable {
   std::string caption;
   std::vector<std::string> headings;
   std::vector<std::vector<Cell>> rows;  ///< each as long as headings; numbers are right-aligned
-  int digits = 4;                       ///< significant digits of numbers that are not whole
+  /// Significant digits of numbers that are not whole; a column of numbers of similar size (within a factor
+  /// of 10) gets equal decimals, so that they line up.
+  int digits = 4;
 };
 
 /// A figure; `alt` says in words what it shows, for readers who cannot see it.

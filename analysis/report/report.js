@@ -140,7 +140,7 @@
           button('−', 'Zoom out (key −)', () => this.setZoom(this.scale() / 2)), this.zoomText,
           button('+', 'Zoom in (key +)', () => this.setZoom(this.scale() * 2)),
           button('Fit', 'Fit (key 0)', () => this.fit()),
-          button('⛶', 'Full screen', () => this.toggleFullscreen())));
+          button('Full', 'Full screen', () => this.toggleFullscreen())));
       this.canvas = element('canvas', { tabindex: '0', role: 'img', 'aria-label': this.figure.dataset.alt +
         ' — keys: 1 to 9 choose the image, F W S the mode, plus and minus zoom, 0 fits, arrows move.' });
       this.status = element('div', { class: 'status' });

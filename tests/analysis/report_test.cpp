@@ -133,6 +133,16 @@ TEST(Report, NamesSectionAndBlockOfWhatItCannotShow) {
   EXPECT_THROW(report_html(report), InputError);
 }
 
+TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
+  Report report;
+  report.sections = {{"S", {ReportTable{"t", {"a", "b"}, {{36.0, 1e-3}, {42.8512, 250.0}, {0.0, 1.0}}}}}};
+  const std::string html = report_html(report);
+  EXPECT_NE(html.find(">36.00</td>"), std::string::npos);
+  EXPECT_NE(html.find(">42.85</td>"), std::string::npos);
+  EXPECT_NE(html.find(">0.001</td>"), std::string::npos);
+  EXPECT_NE(html.find(">250</td>"), std::string::npos);
+}
+
 TEST(ReportTable, ComesFromResultRows) {
   ResultTable results;
   results.add({"ssim_gamma", 0.9, "1", {{"scene", "desk"}}});
