@@ -36,7 +36,7 @@ struct Material {
     kGlossy,   ///< GGX reflection (Walter et al. 2007, Fresnel from `ior`) over a Lambert base: albedo,
                ///< roughness, ior
     /// GGX reflection with normal-incidence reflectance `albedo`: roughness. Light scattered more than once
-    /// between facets is lost, as in kGlossy: a white metal seen head-on keeps 0.99 at α = 0.1, 0.87 at 0.3,
+    /// between facets is lost, as in kGlossy: a white metal seen head-on keeps 0.99 at α = 0.1, 0.88 at 0.3,
     /// 0.31 at 1.
     kMetal,
     kMirror,      ///< ideal reflection of share `albedo`
