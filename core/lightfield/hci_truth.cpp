@@ -115,7 +115,7 @@ HciTruth find_hci_truth(const fs::path& folder, const HciParameters& p) {
   for (const auto& [name, read] :
        {std::pair<const char*, Reader>{"gt_disp_lowres", read_disparity}, {"gt_depth_lowres", read_depth}})
     if (fs::exists(folder / fmt::format("{}_Cam000.pfm", name)))
-      return [=](int column, int row) {
+      return [=, name = name, read = read](int column, int row) {
         return read(folder / fmt::format("{}_Cam{:03}.pfm", name, row * p.columns + column), p);
       };
   for (const auto& [name, read] : {std::pair<const char*, Reader>{"gt_disp_lowres.pfm", read_disparity},
