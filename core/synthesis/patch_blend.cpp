@@ -18,6 +18,22 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using Quad = hn::CappedTag<float, 4>;
 
+#if HWY_TARGET == HWY_SCALAR
+HWY_INLINE void LookUpPixel(const PreparedView& prepared, const Hit& hit, float* colour_disparity,
+                            float* range) {
+  const float* corner = reinterpret_cast<const float*>(&prepared.pixels.at(hit.i, hit.j));
+  const std::size_t right = hit.fx > 0 ? 4 : 0;  // corners of zero weight repeat their neighbour
+  const std::size_t below = hit.fy > 0 ? 4 * static_cast<std::size_t>(prepared.width) : 0;
+  for (std::size_t n = 0; n < 4; ++n) {
+    const float c00 = corner[n], c10 = corner[right + n], c01 = corner[below + n],
+                c11 = corner[below + right + n];
+    const float upper = c00 + hit.fx * (c10 - c00), lower = c01 + hit.fx * (c11 - c01);
+    colour_disparity[n] = upper + hit.fy * (lower - upper);
+    *range =
+        std::max(std::max(c00, c10), std::max(c01, c11)) - std::min(std::min(c00, c10), std::min(c01, c11));
+  }
+}
+#else
 /// One pixel is one vector: r, g, b, disparity.
 HWY_INLINE void LookUpPixel(const PreparedView& prepared, const Hit& hit, float* colour_disparity,
                             float* range) {
@@ -35,16 +51,16 @@ HWY_INLINE void LookUpPixel(const PreparedView& prepared, const Hit& hit, float*
   const auto low = hn::Min(hn::Min(c00, c10), hn::Min(c01, c11));
   *range = hn::ExtractLane(hn::Sub(high, low), 3);
 }
+#endif
 
 void LookUp(const PreparedView& prepared, const Patch& patch, PatchView& view) {
-  const Quad d;
   for (int y = 0; y < patch.height; ++y)
     for (int n = y * Patch::kMaxWidth; n < y * Patch::kMaxWidth + patch.width; ++n) {
       const Hit hit = view.hits.get(n);
       if (hit.found()) {
         LookUpPixel(prepared, hit, view.colour_disparity + 4 * n, view.range + n);
       } else {
-        hn::Store(hn::Zero(d), d, view.colour_disparity + 4 * n);
+        std::fill_n(view.colour_disparity + 4 * n, 4, 0.0f);
         view.range[n] = 0;
       }
     }
@@ -70,7 +86,7 @@ class VectorBlend {
         index_(index),
         valid_(hn::FirstN(Floats(), static_cast<std::size_t>(lanes))) {
     const Floats d;
-    restoring_ = hn::MaskFalse(d);
+    restoring_ = hn::FirstN(d, 0);
     test_visibility();
   }
 
@@ -176,7 +192,7 @@ class VectorBlend {
     for (int v = 0; v < setup_.count; ++v) {
       FloatVec r, g, b;
       load_colour(v, r, g, b, disparity[v]);
-      const auto found = hn::Ge(hn::Load(di, view(v).hits.i + index_), hn::Zero(di));
+      const auto found = hn::Gt(hn::Load(di, view(v).hits.i + index_), hn::Set(di, -1));
       in_frustum_[v] = passed_[v] = hn::And(valid_, hn::RebindMask(d, found));
       if (setup_.test_disocclusion) {
         const auto limit = hn::Set(d, static_cast<float>(setup_.options.disocclusion_px));
@@ -194,8 +210,8 @@ class VectorBlend {
   }
 
   LaneMask any_of(const LaneMask* masks) const {
-    LaneMask any = masks[0];
-    for (int v = 1; v < setup_.count; ++v) any = hn::Or(any, masks[v]);
+    LaneMask any = hn::FirstN(Floats(), 0);
+    for (int v = 0; v < setup_.count; ++v) any = hn::Or(any, masks[v]);
     return any;
   }
   LaneMask any_used() const { return any_of(used_); }

@@ -109,7 +109,7 @@ class StripSearch {
   LaneMask active(int row, int index) const {
     const Ints di;
     const auto first = hn::Load(di, first_ + row * kLanes);
-    return hn::RebindMask(Floats(), hn::Le(first, hn::Set(di, index)));
+    return hn::RebindMask(Floats(), hn::Lt(first, hn::Set(di, index + 1)));
   }
 
   void visit(int index) {
@@ -201,7 +201,7 @@ class StripSearch {
     auto index = hn::Add(whole, hn::ConvertTo(di, floor));
     const auto carry = hn::Ge(fraction, hn::Set(d, 1.0f));
     index = hn::IfThenElse(hn::RebindMask(di, carry), hn::Add(index, hn::Set(di, 1)), index);
-    const auto outside = hn::Or(hn::Lt(index, hn::Zero(di)), hn::Ge(index, hn::Set(di, size - 1)));
+    const auto outside = hn::Or(hn::Lt(index, hn::Zero(di)), hn::Gt(index, hn::Set(di, size - 2)));
     fraction = hn::IfThenZeroElse(hn::Or(carry, hn::RebindMask(d, outside)), fraction);
     index = hn::Max(hn::Zero(di), hn::Min(index, hn::Set(di, size - 1)));
     hn::BlendedStore(index, hn::RebindMask(di, lanes), di, index_out);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <mutex>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"

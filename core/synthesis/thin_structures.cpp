@@ -78,14 +78,15 @@ std::uint64_t keep_thin_pixels(const BlendSetup& setup,
       const int n = y * Patch::kMaxWidth + x;
       std::array<Sight, kMaxViews> sights;
       float front = -1;
-      for (std::size_t v = 0; v < static_cast<std::size_t>(setup.count); ++v) {
+      for (std::size_t v = 0; v < kMaxViews; ++v) {
+        if (static_cast<int>(v) >= setup.count) continue;
         views.views[v].thin[n] = 0;
         const float thin = splats[v]->disparity.at(patch.x + x, patch.y + y);
         sights[v] = look(setup, views.views[v], *setup.prepared[v], n, thin);
         front = std::max(front, sights[v].thin);
       }
       if (front < 0 || !agreed(setup, sights, front)) continue;
-      for (std::size_t v = 0; v < static_cast<std::size_t>(setup.count); ++v) {
+      for (std::size_t v = 0; v < kMaxViews; ++v) {
         if (sights[v].thin < 0) continue;
         const int source = splats[v]->source.at(patch.x + x, patch.y + y), width = setup.prepared[v]->width;
         views.views[v].hits.set(n, {source % width, source / width, 0, 0});
