@@ -5,18 +5,59 @@
 namespace plenolab {
 
 ReproductionResult reproduce_scene_overview(Laboratory& laboratory);
+ReproductionResult reproduce_visible_pixels(Laboratory& laboratory);
+ReproductionResult reproduce_beam_at_frustum_border(Laboratory& laboratory);
+ReproductionResult reproduce_restored_sky(Laboratory& laboratory);
+ReproductionResult reproduce_thin_branches(Laboratory& laboratory);
+ReproductionResult reproduce_light_shafts(Laboratory& laboratory);
+ReproductionResult reproduce_mirror_copies(Laboratory& laboratory);
+ReproductionResult reproduce_water(Laboratory& laboratory);
+ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a3(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_a6(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
-      Reproduction{"altmeier-fig-11", "The scenes", Chapter::kScenes, reproduce_scene_overview},
+      Reproduction{"altmeier-fig-11", "Figure 11: the scenes", Chapter::kScenes, reproduce_scene_overview},
+      Reproduction{"altmeier-fig-16", "Figure 16: visible pixels in warped key views", Chapter::kGeometry,
+                   reproduce_visible_pixels},
+      Reproduction{"altmeier-fig-31", "Figure 31: background that no key view shows", Chapter::kGeometry,
+                   reproduce_beam_at_frustum_border},
+      Reproduction{"altmeier-fig-32", "Figure 32: restored sky", Chapter::kGeometry, reproduce_restored_sky},
+      Reproduction{"altmeier-fig-33", "Figure 33: thin branches are lost", Chapter::kGeometry,
+                   reproduce_thin_branches},
+      Reproduction{"altmeier-fig-34", "Figure 34: copies of light shafts", Chapter::kAppearance,
+                   reproduce_light_shafts},
+      Reproduction{"altmeier-fig-35", "Figure 35: copies of reflections", Chapter::kAppearance,
+                   reproduce_mirror_copies},
+      Reproduction{"altmeier-fig-36", "Figure 36: rippled water", Chapter::kAppearance, reproduce_water},
+      Reproduction{"altmeier-fig-37", "Figure 37: a light shaft cut off", Chapter::kAppearance,
+                   reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
+      Reproduction{"altmeier-claim-a1", "Claim A-A1: on a key view the output is that key view",
+                   Chapter::kClaims, reproduce_claim_a1},
+      Reproduction{"altmeier-claim-a2", "Claim A-A2: diffuse surfaces are reproduced, glossy ones are copied",
+                   Chapter::kClaims, reproduce_claim_a2},
+      Reproduction{"altmeier-claim-a3", "Claim A-A3: denser key views lower the error of glossy surfaces",
+                   Chapter::kClaims, reproduce_claim_a3},
+      Reproduction{"altmeier-claim-a4", "Claim A-A4: volumetric light appears in copies and is cut off",
+                   Chapter::kClaims, reproduce_claim_a4},
+      Reproduction{"altmeier-claim-a5", "Claim A-A5: ripples and a denser grid hide copies of reflections",
+                   Chapter::kClaims, reproduce_claim_a5},
+      Reproduction{"altmeier-claim-a6",
+                   "Claim A-A6: linear border gradients leave edges, printed ones do not", Chapter::kClaims,
+                   reproduce_claim_a6},
   };
   return kItems;
 }

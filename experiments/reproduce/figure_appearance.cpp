@@ -1,0 +1,93 @@
+#include "experiments/reproduce/figure_appearance.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/image/colour.h"
+#include "core/lightfield/subsample.h"
+#include "core/synthesis/visibility_map.h"
+
+namespace plenolab {
+
+namespace {
+
+constexpr int kSparserStride = 2;
+
+/// The view from the same place, from every other key view only; nothing if the position is not between them.
+std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& field, CameraPosition position,
+                                                          int threads) {
+  const LightField sparser = subsample(field, kSparserStride);
+  const auto scaled = [](double value, int views) { return views > 1 ? value / kSparserStride : value; };
+  const CameraPosition there{scaled(position.s, field.grid().columns), scaled(position.t, field.grid().rows)};
+  if (!sparser.grid().contains(there)) return std::nullopt;
+  SynthesisOptions options;
+  options.threads = threads;
+  return synthesize(sparser, there, options);
+}
+
+/// Error of the pixels whose surface every key view sees: it comes from appearance, not from geometry.
+Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth) {
+  Plane<float> error = smoothed_squared_difference(view.image, truth, exposure_from(truth));
+  for (std::size_t n = 0; n < error.size(); ++n)
+    if (view.visible_views.pixels()[n] < view.views.size()) error.pixels()[n] = 0;
+  return error;
+}
+
+double mean_inside(const Plane<float>& values, const PixelBox& box) {
+  double sum = 0;
+  for (int y = box.y; y < box.y + box.height; ++y)
+    for (int x = box.x; x < box.x + box.width; ++x) sum += static_cast<double>(values.at(x, y));
+  return sum / (box.width * box.height);
+}
+
+/// Root of mean error inside the box over mean error outside of it.
+double concentration(const Plane<float>& error, const PixelBox& box) {
+  const double pixels = static_cast<double>(error.size()), inside_pixels = box.width * box.height;
+  const PixelBox all{0, 0, error.width(), error.height()};
+  const double inside = mean_inside(error, box);
+  const double outside = mean_inside(error, all) * pixels - inside * inside_pixels;
+  return outside <= 0 ? 0 : std::sqrt(inside / (outside / (pixels - inside_pixels)));
+}
+
+}  // namespace
+
+AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laboratory,
+                                 const AppearanceOptions& options) {
+  const int threads = laboratory.options().threads;
+  const LightField field = laboratory.light_field(options.scene);
+  AppearanceStudy study;
+  study.place = find_place(
+      laboratory.synthesizer(options.scene), cell_positions(field.grid(), options.offsets), threads,
+      options.at_borders ? jump_at_visibility_borders(field) : disagreement_of_views(field));
+  const NovelView<SceneReferred>& view = study.place.view;
+  const SceneImage truth = laboratory.truth(options.scene, view.position).colour;
+  const Plane<float> error = appearance_error(view, truth);
+  const PixelBox box =
+      options.at_borders ? study.place.box : densest_box(error, crop_size(truth.width(), truth.height()));
+  const int row = densest_row(options.at_borders ? study.place.effect : error, box);
+  study.place.box = box;
+  study.rms_disagreement = std::sqrt(mean_inside(study.place.effect, box));
+  study.error_concentration =
+      concentration(smoothed_squared_difference(view.image, truth, exposure_from(truth)), box);
+
+  const std::string what = laboratory.scene(options.scene).title + " from " + name_of(view.position);
+  const Columns columns{{"scene", options.scene}, {"position", name_of(view.position)}};
+  const auto sparser = options.with_sparser_grid ? from_sparser_grid(field, view.position, threads)
+                                                 : std::optional<NovelView<SceneReferred>>();
+  FigurePictures pictures{.what = what,
+                          .truth = &truth,
+                          .synthesised = {{"Synthesised", &view.image}},
+                          .maps = {{"Visibility", visibility_map(view)}},
+                          .box = box,
+                          .cut_row = options.with_epi ? std::optional<int>(row) : std::nullopt};
+  if (sparser) pictures.synthesised.push_back({"From every other key view", &sparser->image});
+  study.pictures = add_pictures(result, pictures, columns, threads);
+  if (options.with_epi)
+    study.epi = add_epi(result, record_epi(laboratory, options.scene, view.position, row), box,
+                        exposure_from(crop(truth, box)), what, columns);
+  result.rows.add({"rms_disagreement", study.rms_disagreement, "1", columns});
+  result.rows.add({"error_concentration", study.error_concentration, "1", columns});
+  return study;
+}
+
+}  // namespace plenolab

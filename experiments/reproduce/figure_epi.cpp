@@ -1,0 +1,132 @@
+#include "experiments/reproduce/figure_epi.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/epi.h"
+#include "core/image/colour.h"
+#include "metrics/error_map.h"
+#include "metrics/psnr.h"
+
+namespace plenolab {
+
+namespace {
+
+constexpr int kStretch = 4;  // rows a frame is drawn with
+constexpr int kMagnification = 4;
+
+double distance_to_key(CameraPosition position) {
+  return std::abs(position.s - std::round(position.s));
+}
+
+/// Mean of the frames' errors whose distance to the nearest column of key views is as near to `wanted` as any
+/// frame comes.
+double mean_error_at(const EpiPair& epi, const std::vector<double>& errors, double wanted) {
+  constexpr double kSame = 1e-6;
+  double nearest = 1;
+  for (const CameraPosition& p : epi.positions)
+    nearest = std::min(nearest, std::abs(distance_to_key(p) - wanted));
+  double sum = 0;
+  int count = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    if (std::abs(distance_to_key(epi.positions[i]) - wanted) > nearest + kSame) continue;
+    sum += errors[i];
+    ++count;
+  }
+  return sum / count;
+}
+
+std::vector<double> errors_of_frames(const EpiPair& epi, const PixelBox& box, float exposure) {
+  std::vector<double> errors;
+  for (int frame = 0; frame < epi.truth.height(); ++frame)
+    errors.push_back(rms_difference(epi.synthesised, epi.truth, exposure, {box.x, frame, box.width, 1}));
+  return errors;
+}
+
+ReportPlot error_plot(const EpiPair& epi, const std::vector<double>& errors) {
+  Plot plot;
+  plot.x.title = "Camera position s";
+  plot.x.unit = "column spacings";
+  plot.y.title = "RMS difference, encoded";
+  plot.y.minimum = 0;
+  plot.key = KeyPosition::kNone;
+  PlotSeries series{"", PlotSeries::Style::kLinesPoints, {}};
+  for (std::size_t i = 0; i < errors.size(); ++i)
+    series.points.push_back(
+        {.x = epi.positions[i].s, .y = errors[i], .y_low = {}, .y_high = {}, .label = {}});
+  plot.series.push_back(std::move(series));
+  return {std::move(plot),
+          "Error of the enlarged columns of the epipolar image over the camera position; key views stand at "
+          "whole numbers",
+          "Error of synthesised frames over the camera position"};
+}
+
+/// Truth, synthesis and difference of a part of the epipolar image.
+std::vector<ReportImage> epi_images(const EpiPair& epi, const PixelBox& part, float exposure) {
+  ComparisonConditions conditions;
+  conditions.exposure = exposure;
+  const SceneImage truth = crop(epi.truth, part), synthesised = crop(epi.synthesised, part);
+  return {{"EPI ground truth", expose(truth, exposure)},
+          {"EPI synthesised", expose(synthesised, exposure)},
+          {"EPI difference", error_map(synthesised, truth, conditions)}};
+}
+
+}  // namespace
+
+EpiPair record_epi(Laboratory& laboratory, const std::string& scene, CameraPosition at, int row) {
+  const ViewGrid grid = laboratory.grid(scene);
+  EpiPair result;
+  result.row = row;
+  result.positions = straight_path({std::max(at.s - 1, 0.0), at.t},
+                                   {std::min(at.s + 1, grid.columns - 1.0), at.t}, kEpiFrames);
+  SynthesisOptions options;
+  options.threads = laboratory.options().threads;
+  std::vector<SceneImage> rows(result.positions.size());
+  laboratory.synthesizer(scene).synthesize_sequence(
+      result.positions, options, [&](std::size_t i, NovelView<SceneReferred>&& view) {
+        rows[i] = crop(view.image, {0, row, view.image.width(), 1});
+      });
+  result.synthesised = epi(rows, EpiDirection::kRow, 0);
+  result.truth = epi(laboratory.truth_rows(scene, result.positions, row), EpiDirection::kRow, 0);
+  const auto nearest = std::min_element(result.positions.begin(), result.positions.end(),
+                                        [&](const CameraPosition& a, const CameraPosition& b) {
+                                          return std::abs(a.s - at.s) < std::abs(b.s - at.s);
+                                        });
+  result.frame = static_cast<int>(nearest - result.positions.begin());
+  return result;
+}
+
+EpiNumbers add_epi(ReproductionResult& result, const EpiPair& epi, const PixelBox& box, float exposure,
+                   const std::string& what, const Columns& columns) {
+  const int frames = epi.truth.height();
+  const std::string motion =
+      fmt::format("{}: row {} of {} frames, camera moving from {:.2f} (top) to {:.2f}", what, epi.row, frames,
+                  epi.positions.front().s, epi.positions.back().s);
+  ImageComparison whole{motion + ". Green: the frame of the view above, red: enlarged below", motion,
+                        epi_images(epi, {0, 0, epi.truth.width(), frames}, exposure)};
+  for (ReportImage& image : whole.images) {
+    image.image = stretch_epi(image.image, EpiDirection::kRow, kStretch);
+    if (image.label == "EPI difference") continue;
+    image.image = mark_row(std::move(image.image), epi.frame * kStretch + kStretch / 2);
+    image.image = mark_box(std::move(image.image), {box.x, 0, box.width, frames * kStretch});
+  }
+  ImageComparison part{motion + ", enlarged 4 times", motion + ", enlarged",
+                       epi_images(epi, {box.x, 0, box.width, frames}, exposure)};
+  for (ReportImage& image : part.images) image.image = magnify(image.image, kMagnification);
+  result.add_comparison("epi", std::move(whole), {epi.truth, epi.synthesised});
+  result.add_comparison("epi-crop", std::move(part));
+  const std::vector<double> errors = errors_of_frames(epi, box, exposure);
+  result.add_plot("epi-error", error_plot(epi, errors));
+  EpiNumbers numbers{0, mean_error_at(epi, errors, 0), mean_error_at(epi, errors, 0.5)};
+  const double rms =
+      rms_difference(epi.synthesised, epi.truth, exposure, {box.x, 0, box.width, epi.truth.height()});
+  numbers.psnr_db = psnr_db(1, rms * rms);
+  result.rows.add({"epi_psnr_gamma_db", numbers.psnr_db, "dB", columns});
+  result.rows.add({"epi_rms_at_keys", numbers.rms_at_keys, "1", columns});
+  result.rows.add({"epi_rms_between", numbers.rms_between, "1", columns});
+  return numbers;
+}
+
+}  // namespace plenolab
