@@ -133,9 +133,10 @@ std::string series_commands(const Plot& plot, std::size_t index, PlotOutput outp
   if (has_bars(series)) {
     const std::string bar_colour =
         is_bar_chart(plot) ? fmt::format("linecolor rgb '{}'", plot_ink(output).text) : colour;
-    text =
-        fmt::format("$bars{} using 1:2:3:4 with yerrorbars {} linewidth 1.2 pointtype 0 pointsize 0 notitle",
-                    index, bar_colour);
+    // Not "yerrorbars": these erase the page around each point, which shows on transparent figures.
+    text = fmt::format(
+        "$bars{} using 1:3:(0):($4-$3) with vectors heads size screen 0.006,90 {} linewidth 1.2 notitle",
+        index, bar_colour);
   }
   std::string body;
   if (is_bar_chart(plot)) {

@@ -64,7 +64,6 @@ std::string terminal_commands(PlotOutput output, const std::string& file, int wi
   text += fmt::format("set border 3 linecolor rgb '{}' linewidth 1\n", ink.axis);
   text += fmt::format("set grid linetype 1 linewidth 0.7 linecolor rgb '{}'\n", ink.grid);
   text += fmt::format("set tics nomirror out scale 0.6,0.3 textcolor rgb '{}' noenhanced\n", ink.text);
-  text += "set pointintervalbox 0\n";  // no holes of page colour around error bars
   text += fmt::format("set xlabel textcolor rgb '{0}'\nset ylabel textcolor rgb '{0}'\n", ink.text);
   text += fmt::format("set title textcolor rgb '{}'\n", ink.text);
   text += fmt::format("set key textcolor rgb '{}' noenhanced samplen 2 spacing 1.15\n", ink.text);
