@@ -67,7 +67,7 @@ int Laboratory::paths_per_pixel(const std::string& id) {
       .paths_per_pixel;
 }
 
-RenderSettings Laboratory::settings(int paths_per_pixel) const {
+RenderSettings Laboratory::settings(int paths_per_pixel, std::uint64_t seed_offset) const {
   RenderSettings settings;
   settings.paths_per_pixel = options_.effort == Effort::kTiny ? kBlockSamples : paths_per_pixel;
   settings.seed = options_.seed + seed_offset;
@@ -76,8 +76,10 @@ RenderSettings Laboratory::settings(int paths_per_pixel) const {
 }
 
 KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, const ViewGrid& grid,
-                                                   CameraPosition position, int paths_per_pixel) {
-  CachedView view = render_view_cached(scene, grid, position, settings(paths_per_pixel), options_.cache);
+                                                   CameraPosition position, int paths_per_pixel,
+                                                   std::uint64_t seed_offset) {
+  CachedView view =
+      render_view_cached(scene, grid, position, settings(paths_per_pixel, seed_offset), options_.cache);
   ++(view.from_cache ? tally_.from_cache : tally_.rendered);
   tally_.seconds += view.rendered.stats.seconds;
   tally_.rays += view.rendered.stats.rays();

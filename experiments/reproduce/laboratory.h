@@ -79,7 +79,7 @@ class Laboratory {
   struct SceneState;
   SceneState& state(const std::string& id);
   const PreparedScene& prepared(const Scene& scene);
-  RenderSettings settings(int paths_per_pixel) const;
+  RenderSettings settings(int paths_per_pixel, std::uint64_t seed_offset = 0) const;
   KeyView<SceneReferred> render_prepared(const PreparedScene& scene, const ViewGrid& grid,
                                          CameraPosition position, int paths_per_pixel,
                                          std::uint64_t seed_offset = 0);
