@@ -5,5 +5,9 @@ set -euo pipefail
 cd "$(dirname "$0")"
 
 preset=${PLENOLAB_PRESET:-release}
+# Some tests read data from outside that is not part of the project; they skip without it.
+if [ -z "${PLENOLAB_OUTSIDE_DATA:-}" ] && [ -d ../shared/data ]; then
+  export PLENOLAB_OUTSIDE_DATA=$PWD/../shared/data
+fi
 scripts/build.sh "$preset"
 exec ctest --preset "$preset" --parallel 2 "$@"
