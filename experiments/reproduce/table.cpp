@@ -16,6 +16,14 @@ ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g3(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g7(Laboratory& laboratory);
+ReproductionResult reproduce_claim_g8(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a3(Laboratory& laboratory);
@@ -45,6 +53,22 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
+      Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
+                   Chapter::kClaims, reproduce_claim_g1},
+      Reproduction{"altmeier-claim-g2", "Claim A-G2: the search starts inside at least one key view",
+                   Chapter::kClaims, reproduce_claim_g2},
+      Reproduction{"altmeier-claim-g3", "Claim A-G3: structures thinner than 2 × 2 px vanish",
+                   Chapter::kClaims, reproduce_claim_g3},
+      Reproduction{"altmeier-claim-g4", "Claim A-G4: one convex occluder leaves nothing unseen",
+                   Chapter::kClaims, reproduce_claim_g4},
+      Reproduction{"altmeier-claim-g5", "Claim A-G5: several occluders do, whatever their shape",
+                   Chapter::kClaims, reproduce_claim_g5},
+      Reproduction{"altmeier-claim-g6", "Claim A-G6: restoration is right before a uniform background",
+                   Chapter::kClaims, reproduce_claim_g6},
+      Reproduction{"altmeier-claim-g7", "Claim A-G7: a convex occluder beyond the frustums does",
+                   Chapter::kClaims, reproduce_claim_g7},
+      Reproduction{"altmeier-claim-g8", "Claim A-G8: filled slits before a uniform background",
+                   Chapter::kClaims, reproduce_claim_g8},
       Reproduction{"altmeier-claim-a1", "Claim A-A1: on a key view the output is that key view",
                    Chapter::kClaims, reproduce_claim_a1},
       Reproduction{"altmeier-claim-a2", "Claim A-A2: diffuse surfaces are reproduced, glossy ones are copied",

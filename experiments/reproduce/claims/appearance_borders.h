@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "experiments/reproduce/claims/appearance_measures.h"
+
+namespace plenolab {
+
+/// Errors along borders of visibility: between neighbouring pixels of one surface that different sets of key
+/// views see.
+
+/// Squared steps of the error S − T across such borders in the middle half of the image, noise taken out as
+/// in tile_errors; one mean for each image row with at least one border.
+std::vector<double> squared_border_steps(std::span<const TwinView> views);
+
+/// Error of a view of a scene of the table, whose truth is rendered once.
+struct SceneError {
+  float exposure = 1;
+  /// Squared means of the encoded error over 8 × 8 pixels (all channels), row by row.
+  std::vector<double> squared_blocks;
+  /// Mean absolute step of the error's luma across borders of visibility, less that between other neighbours
+  /// of one surface; 0 without borders.
+  double border_excess = 0;
+  ImageComparison comparison;
+  SceneImage truth, synthesised;
+};
+
+/// `exposure` 0 = from the truth.
+SceneError scene_error(Laboratory& laboratory, const std::string& scene_id, CameraPosition position,
+                       float exposure = 0);
+
+/// Three positions in a cell in the middle of the grid: its centre, on a grid line, and off every symmetry
+/// line.
+std::vector<CameraPosition> middle_positions(const ViewGrid& grid);
+
+}  // namespace plenolab

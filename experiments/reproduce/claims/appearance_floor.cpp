@@ -1,0 +1,89 @@
+#include "experiments/reproduce/claims/appearance_floor.h"
+
+#include <cmath>
+
+namespace plenolab {
+namespace {
+
+constexpr float kLeastHeight = 0.08f;
+constexpr float kSpotShare = 1.0f / 8;
+constexpr double kSpotMargin_px = 5;
+constexpr double kStrengthMargin_px = 9;
+
+/// Disparity of the floor where the lamp's reflection is seen.
+double floor_disparity_px(const FloorLamp& lamp, const Scene& scene, const ViewGrid& grid,
+                          CameraPosition position) {
+  // The eye is as high above the floor as the way to the reflection is long above it, as a share.
+  const double eye_m =
+      static_cast<double>(scene.camera.centre_m.z()) -
+      (position.t - (grid.rows - 1) / 2.0) * grid.spacing_y_m * static_cast<double>(scene.camera.up.z());
+  const double below_m = -static_cast<double>(lamp.reflection_m.z());
+  return project(scene.camera, grid, position, lamp.reflection_m).disparity_px * (eye_m + below_m) / eye_m;
+}
+
+bool all_valid(const Mask& valid, const Window& window) {
+  for (int y = window.y; y < window.y + window.height; ++y)
+    for (int x = window.x; x < window.x + window.width; ++x)
+      if (valid.at(x, y) == 0) return false;
+  return window.width > 0 && window.height > 0;
+}
+
+Interval mean_interval(const std::vector<double>& values, std::uint64_t seed) {
+  if (values.empty()) return {};
+  return bootstrap_interval(values, [](std::span<const double> v) { return mean(v); }, {.seed = seed});
+}
+
+}  // namespace
+
+std::vector<TwinView> floor_views(Laboratory& laboratory, const FloorLook& look, double spacing_m) {
+  const bool specular = look.kind == FloorLook::Kind::kMirror;  // its noise is that of the pixel filter only
+  return render_twins(laboratory, {.scene = floor_probe(look),
+                                   .grid = appearance_grid(laboratory, spacing_m),
+                                   .exposure = kFloorExposure,
+                                   .paths_per_pixel = specular ? 16 : 32,
+                                   .positions = {{0.5, 0.5}, {0.35, 0.45}, {0.55, 0.4}}});
+}
+
+std::vector<LampCopies> copies_of_lamps(const TwinView& view, const Scene& scene, const ViewGrid& grid) {
+  const Plane<float> synthesised = luma_of(view.synthesised[0]), truth = luma_of(view.truth[0]);
+  std::vector<LampCopies> all;
+  for (const FloorLamp& lamp : floor_lamps()) {
+    const ImagePoint at = project(scene.camera, grid, view.position, lamp.reflection_m);
+    LampCopies copies;
+    copies.displacement_px = floor_disparity_px(lamp, scene, grid, view.position) - at.disparity_px;
+    const double reach = copies.displacement_px / 2 + kSpotMargin_px;
+    const Window window = window_around(grid, at.x, at.y, reach, reach);
+    const float height = peak_height(truth, window);
+    if (height < kLeastHeight || !all_valid(view.valid, window)) continue;
+    copies.spots = count_spots(synthesised, window, height * kSpotShare);
+    copies.truth_spots = count_spots(truth, window, height * kSpotShare);
+    const Window wide = window_around(grid, at.x, at.y, copies.displacement_px + kStrengthMargin_px,
+                                      copies.displacement_px / 2 + kStrengthMargin_px);
+    copies.strength = autocorrelation(synthesised, wide, copies.displacement_px) -
+                      autocorrelation(truth, wide, copies.displacement_px);
+    all.push_back(copies);
+  }
+  return all;
+}
+
+std::vector<LampCopies> copies_of_lamps(std::span<const TwinView> views, const Scene& scene,
+                                        const ViewGrid& grid) {
+  std::vector<LampCopies> all;
+  for (const TwinView& view : views)
+    for (const LampCopies& copies : copies_of_lamps(view, scene, grid)) all.push_back(copies);
+  return all;
+}
+
+Interval mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed) {
+  std::vector<double> values;
+  for (const LampCopies& lamp : lamps) values.push_back(lamp.spots);
+  return mean_interval(values, seed);
+}
+
+Interval mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed) {
+  std::vector<double> values;
+  for (const LampCopies& lamp : lamps) values.push_back(lamp.strength);
+  return mean_interval(values, seed);
+}
+
+}  // namespace plenolab

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics.h"
+#include "experiments/reproduce/claims/appearance_probes.h"
+#include "experiments/reproduce/laboratory.h"
+#include "experiments/reproduce/reproduction.h"
+
+namespace plenolab {
+
+/// What the claims on appearance measure. All images are gamma-encoded at a fixed exposure, clamped to
+/// [0, 1], so errors are shares of the display range; 0.02 is the difference that counts as visible
+/// (ComparisonConditions::difference_threshold).
+
+/// A scene, four key views of it and the positions between them to look at.
+struct Probe {
+  Scene scene;
+  ViewGrid grid;
+  float exposure = 1;
+  int paths_per_pixel = 32;  ///< of each of two renderings with independent noise
+  std::vector<CameraPosition> positions;
+};
+
+/// 2 × 2 key views of 192 × 108 px (a third of it in a tiny run).
+ViewGrid appearance_grid(const Laboratory& laboratory, double spacing_m);
+
+/// A synthesised view S and its ground truth T, both twice (1, 2) with independent path tracing noise.
+struct TwinView {
+  CameraPosition position;
+  std::array<DisplayImage, 2> synthesised, truth;
+  std::array<SceneImage, 2> synthesised_radiance, truth_radiance;
+  DisparityMap disparity;     ///< of the truth
+  Plane<std::uint8_t> views;  ///< which key views contribute, one bit each
+  Mask valid;                 ///< 1 where all four key views contribute
+};
+
+std::vector<TwinView> render_twins(Laboratory& laboratory, const Probe& probe);
+
+/// Squared errors of rectangles of the image, one value each.
+struct TileErrors {
+  /// Mean of (S₁ − T₁)(S₂ − T₂): the squared error of the synthesis without noise, because the noises of the
+  /// two factors are independent. May be slightly negative where there is no error.
+  std::vector<double> error;
+  /// Mean of (T₁ − T₂)² / 2: variance of the noise of one truth.
+  std::vector<double> noise;
+};
+
+/// Errors of 6 × 4 tiles of every view over the pixels that all four key views see; tiles with less than half
+/// of those are left out.
+TileErrors tile_errors(std::span<const TwinView> views);
+
+/// Root of the mean of squared errors (0 if negative), with its 95 % bootstrap interval over the values.
+Interval root_mean_interval(std::span<const double> squared_errors, std::uint64_t seed);
+
+/// The same as a ratio of two root mean squares over paired values, resampled together. The second must be
+/// positive.
+Interval root_ratio_interval(std::span<const double> numerator, std::span<const double> denominator,
+                             std::uint64_t seed);
+
+/// A rectangle of the image, clipped to it.
+struct Window {
+  int x = 0, y = 0, width = 0, height = 0;
+};
+Window window_around(const ViewGrid& grid, double x, double y, double half_width, double half_height);
+
+/// Luma of encoded colours.
+Plane<float> luma_of(const DisplayImage& image);
+
+/// Bright spots in a window: connected groups of pixels (8 neighbours) brighter than the window's median by
+/// more than `height`.
+int count_spots(const Plane<float>& luma, const Window& window, float height);
+
+/// How far the window's maximum rises above its median.
+float peak_height(const Plane<float>& luma, const Window& window);
+
+/// Autocorrelation of a window (its median subtracted) at a horizontal displacement, 1 at displacement 0;
+/// 0 for an even window. Linear interpolation between pixels.
+double autocorrelation(const Plane<float>& luma, const Window& window, double displacement_px);
+
+/// Truth, synthesis and their difference, for add_comparison.
+ImageComparison truth_and_synthesis(const TwinView& view, const std::string& caption);
+/// Files the radiance of both with it.
+void add_twin_comparison(ReproductionResult& result, const std::string& name, const TwinView& view,
+                         const std::string& caption);
+
+/// "0.012 [0.010, 0.014]"
+std::string text_of(const Interval& interval, int digits = 2);
+
+/// A plot point with its interval.
+PlotPoint plot_point(double x, const Interval& y);
+
+}  // namespace plenolab
