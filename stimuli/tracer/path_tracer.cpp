@@ -19,9 +19,11 @@ enum Use : std::uint32_t {
   kLobe,
   kLamp,
   kLampPoint,
+  kLampChoice,
   kSun,
   kSky,
   kPortal,
+  kSkyChoice,
   kRoulette,
   kMediumLamp,
   kMediumLampPoint,
@@ -54,6 +56,45 @@ class DielectricStack {
   std::size_t size_ = 0;
 };
 
+// Light that could reach a surface along one drawn direction, over the density of the draw.
+struct LightCandidate {
+  Vec3 direction;
+  float distance_m = 0;
+  Rgb light;
+};
+
+// Draws one of several candidates in proportion to what it would bring if nothing were in the way (resampled
+// importance sampling, Talbot, Cline & Egbert 2005); its light is scaled so that the mean over draws is that
+// of all candidates.
+template <std::size_t kCount>
+LightCandidate resample(const std::array<LightCandidate, kCount>& candidates, float u) {
+  std::array<float, kCount> cumulative;
+  float total = 0;
+  for (std::size_t i = 0; i < kCount; ++i) cumulative[i] = total += max_component(candidates[i].light);
+  if (!(total > 0)) return {};
+  std::size_t chosen = 0;
+  while (chosen + 1 < kCount && u * total >= cumulative[chosen]) ++chosen;
+  while (chosen > 0 && is_black(candidates[chosen].light)) --chosen;
+  LightCandidate result = candidates[chosen];
+  const float own = max_component(result.light);
+  if (!(own > 0)) return {};
+  result.light = result.light * (total / (static_cast<float>(kCount) * own));
+  return result;
+}
+
+// Candidate `index` of `count` random numbers spread evenly from one: each alone is uniform in [0, 1).
+float spread(float u, std::size_t index, std::size_t count) {
+  const float moved = u + static_cast<float>(index) / static_cast<float>(count);
+  return moved < 1 ? moved : std::min(moved - 1, 0x1.fffffep-1f);
+}
+
+// The R2 sequence (Roberts 2018) from a random start.
+std::array<float, 2> spread(std::array<float, 2> u, std::size_t index) {
+  const auto wrap = [](float x) { return std::min(x - std::floor(x), 0x1.fffffep-1f); };
+  const auto i = static_cast<float>(index);
+  return {wrap(u[0] + i * 0.7548777f), wrap(u[1] + i * 0.5698403f)};
+}
+
 class Path {
  public:
   Path(const World& world, const Features& features, const Ray& ray, const PathSampler& sampler,
@@ -77,6 +118,10 @@ class Path {
   Rgb light_of_lamps(const Surface& surface, const Vec3& origin);
   Rgb light_of_sun(const Surface& surface, const Vec3& origin);
   Rgb light_of_sky(const Surface& surface, const Vec3& origin);
+  LightCandidate lamp_candidate(const Surface& surface, const Vec3& origin, float select,
+                                std::array<float, 2> u) const;
+  LightCandidate sky_candidate(const Surface& surface, const Vec3& origin, float select,
+                               std::array<float, 2> u) const;
   Rgb unoccluded(const Ray& ray, float distance_m);
   bool scatter(const Surface& surface);
   // Sun and lamps found by ideal reflection or refraction after a rough surface: see Scene::caustics.
@@ -177,19 +222,31 @@ void Path::add_emission(const Hit& hit) {
   radiance_ += throughput_ * material.radiance_cd_m2 * mis_weight(pdf);
 }
 
-Rgb Path::light_of_lamps(const Surface& surface, const Vec3& origin) {
-  const auto lamp = world_.emitters.sample(random_1d(kLamp), random_2d(kLampPoint));
+LightCandidate Path::lamp_candidate(const Surface& surface, const Vec3& origin, float select,
+                                    std::array<float, 2> u) const {
+  const auto lamp = world_.emitters.sample(select, u);
   if (!lamp) return {};
   const float distance = (lamp->position_m - origin).norm();
   if (!(distance > 1e-5f)) return {};
   const Vec3 direction = (lamp->position_m - origin) / distance;
   const float cosine = std::abs(lamp->normal.dot(direction));
   const Rgb light = emitted(*lamp->material, lamp->normal, -direction);
+  if (is_black(light) || !(cosine > 0)) return {};
   const BsdfValue bsdf = evaluate_bsdf(surface, direction);
-  if (is_black(light) || is_black(bsdf.f_cos) || !(cosine > 0)) return {};
   const float pdf = lamp->pdf_area * distance * distance / cosine;
-  return light * bsdf.f_cos * unoccluded({origin, direction}, distance * (1 - 1e-4f)) *
-         (power_heuristic(pdf, bsdf.pdf) / pdf);
+  return {direction, distance * (1 - 1e-4f), light * bsdf.f_cos * (power_heuristic(pdf, bsdf.pdf) / pdf)};
+}
+
+Rgb Path::light_of_lamps(const Surface& surface, const Vec3& origin) {
+  constexpr std::size_t kCandidates = 8;  // lamps near by matter most: found without a ray
+  const float select = random_1d(kLamp);
+  const std::array<float, 2> point = random_2d(kLampPoint);
+  std::array<LightCandidate, kCandidates> candidates;
+  for (std::size_t i = 0; i < kCandidates; ++i)
+    candidates[i] = lamp_candidate(surface, origin, spread(select, i, kCandidates), spread(point, i));
+  const LightCandidate chosen = resample(candidates, random_1d(kLampChoice));
+  return is_black(chosen.light) ? Rgb{}
+                                : chosen.light * unoccluded({origin, chosen.direction}, chosen.distance_m);
 }
 
 Rgb Path::light_of_sun(const Surface& surface, const Vec3& origin) {
@@ -200,16 +257,26 @@ Rgb Path::light_of_sun(const Surface& surface, const Vec3& origin) {
          (power_heuristic(world_.sun.pdf(), bsdf.pdf) / world_.sun.pdf());
 }
 
-Rgb Path::light_of_sky(const Surface& surface, const Vec3& origin) {
-  const DirectionSample sky = world_.portals.empty()
-                                  ? world_.sky.sample(random_2d(kSky))
-                                  : world_.portals.sample(origin, random_1d(kPortal), random_2d(kSky));
+LightCandidate Path::sky_candidate(const Surface& surface, const Vec3& origin, float select,
+                                   std::array<float, 2> u) const {
+  const DirectionSample sky =
+      world_.portals.empty() ? world_.sky.sample(u) : world_.portals.sample(origin, select, u);
   if (!(sky.pdf > 0)) return {};
   const BsdfValue bsdf = evaluate_bsdf(surface, sky.direction);
+  if (is_black(bsdf.f_cos)) return {};
   const Rgb light = world_.sky.radiance(sky.direction);
-  if (is_black(bsdf.f_cos) || is_black(light)) return {};
-  return light * bsdf.f_cos * unoccluded({origin, sky.direction}, kInfinity) *
-         (power_heuristic(sky.pdf, bsdf.pdf) / sky.pdf);
+  return {sky.direction, kInfinity, light * bsdf.f_cos * (power_heuristic(sky.pdf, bsdf.pdf) / sky.pdf)};
+}
+
+Rgb Path::light_of_sky(const Surface& surface, const Vec3& origin) {
+  constexpr std::size_t kCandidates = 4;
+  const float select = random_1d(kPortal);
+  const std::array<float, 2> u = random_2d(kSky);
+  std::array<LightCandidate, kCandidates> candidates;
+  for (std::size_t i = 0; i < kCandidates; ++i)
+    candidates[i] = sky_candidate(surface, origin, spread(select, i, kCandidates), spread(u, i));
+  const LightCandidate chosen = resample(candidates, random_1d(kSkyChoice));
+  return is_black(chosen.light) ? Rgb{} : chosen.light * unoccluded({origin, chosen.direction}, kInfinity);
 }
 
 Rgb Path::direct_light(const Surface& surface) {

@@ -35,9 +35,10 @@ struct PathResult {
   float distance_m = 0;  ///< to the first surface; ∞ for the sky
 };
 
-/// Traces one path from the camera: next-event estimation of lamps, sun and sky at every surface that is not
-/// specular, combined with sampling by the BSDF (power heuristic), single scattering of lamps and sun along
-/// every segment, Russian roulette after three scattering events. Sample dimension 0 belongs to the caller.
+/// Traces one path from the camera: next-event estimation of lamps, sun and sky (the best of several
+/// candidates each, by resampling) at every surface that is not specular, combined with sampling by the BSDF
+/// (power heuristic), single scattering of lamps and sun along every segment, Russian roulette after three
+/// scattering events. Sample dimension 0 belongs to the caller.
 PathResult trace_path(const World& world, const Features& features, const Ray& camera_ray,
                       const PathSampler& sampler, RayCounts& counts);
 
