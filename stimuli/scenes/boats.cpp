@@ -37,12 +37,6 @@ Vec3 water_normal(const SurfacePoint& point) {
   return Vec3(-slope_x * calm, -slope_y * calm, 1).normalized();
 }
 
-Material lamp(Rgb radiance_cd_m2) {
-  Material result = emitter(radiance_cd_m2);
-  result.two_sided = false;  // closed bodies shine outwards only
-  return result;
-}
-
 ColourTexture painted(Rgb paint, std::uint32_t seed) {
   const ColourTexture below = wood({.weathering = 0.5f, .seed = seed});
   return [=](const SurfacePoint& point) {
@@ -246,8 +240,8 @@ Scene build_boats() {
                   .rows = 3,
                   .spacing_x_m = 0.07,
                   .spacing_y_m = 0.07,
-                  .width = 480,
-                  .height = 270,
+                  .width = 384,
+                  .height = 216,
                   .paths_per_pixel = 32};
   result.paper = {.columns = 17,
                   .rows = 9,
@@ -256,7 +250,7 @@ Scene build_boats() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  result.max_bounces = 4;
+  result.max_bounces = 2;
   return result;
 }
 

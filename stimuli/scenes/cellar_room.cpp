@@ -1,5 +1,6 @@
 #include "stimuli/scenes/cellar_room.h"
 
+#include <array>
 #include <cmath>
 
 #include "core/base/random.h"
@@ -15,13 +16,13 @@ namespace {
 // The room: x to the right, y away from the cameras at y = 0, floor at z = 0.
 constexpr float kLeft = -2.3f, kRight = 2.5f, kBack = -2.4f, kFar = 7.4f, kCeiling = 2.45f;
 constexpr float kBoardThickness = 0.028f;
-constexpr WallOpening kWindow{1.75f, 2.95f, 1.0f, 1.95f};   // in the far wall, from its left end
-constexpr WallOpening kHatch{5.6f, 6.7f, 1.55f, 2.15f};     // in the left wall, from its near end
-constexpr float kPostSide = 0.16f, kPostX = 0.74f;          // near post: left edge at 0.66 m
-constexpr float kSunElevationDeg = 24, kSunAzimuthDeg = 8;  // azimuth from +y to the right
+constexpr WallOpening kWindow{1.75f, 2.95f, 1.0f, 1.95f};    // in the far wall, from its left end
+constexpr WallOpening kHatch{6.2f, 6.95f, 1.7f, 2.15f};      // in the left wall, from its near end
+constexpr float kPostSide = 0.16f, kPostX = 0.74f;           // near post: left edge at 0.66 m
+constexpr float kSunElevationDeg = 24, kSunAzimuthDeg = 14;  // azimuth from +y to the right
 
 struct Materials {
-  int wood, beam, stone, floor, mortar, iron, glass, clay, grass, leaves;
+  int wood, beam, stone, floor, mortar, iron, glass, clay, grass, leaves, flame;
 };
 
 Materials make_materials(SceneAssembler& scene) {
@@ -48,6 +49,7 @@ Materials make_materials(SceneAssembler& scene) {
       glossy(mottled({0.42f, 0.2f, 0.1f}, {0.25f, 0.12f, 0.07f}, 0.08f, 0, 41), constant(0.3f), 1.5f));
   m.grass = scene.material(diffuse(mottled({0.16f, 0.26f, 0.06f}, {0.32f, 0.34f, 0.12f}, 0.6f, 0, 51)));
   m.leaves = scene.material(diffuse(mottled({0.07f, 0.14f, 0.03f}, {0.2f, 0.3f, 0.07f}, 0.35f, 0, 61)));
+  m.flame = scene.material(lamp({5200, 3300, 1500}));
   return m;
 }
 
@@ -84,24 +86,26 @@ void add_floor(SceneAssembler& scene, const Materials& m) {
   add_stone_wall(scene, m.floor, m.mortar, lay, kRight - kLeft, kFar - kBack, flags);
 }
 
-/// Boards along the room. Some lie tight, others leave a slit that widens towards one end; slits become
-/// portals.
+/// Boards along the room, some tight, others with a slit in millimetres before the next. Thin slits show the
+/// sky only: they are deeper than wide as seen from the sun. The three wide ones let the sun through, and
+/// some cameras see it.
+constexpr std::array<int, 24> kSlitsMm{0, 9,  0, 0, 38, 0, 7, 0,  0, 11, 0, 8,
+                                       0, 42, 0, 0, 9,  0, 0, 34, 0, 8,  0, 0};
+
+/// Slits become portals of the sky.
 void add_ceiling(SceneAssembler& scene, Scene& description, const Materials& m) {
-  RandomStream random(7, 0x6365696c, 0);
   const float length = kFar - kBack + 0.2f, middle_y = (kFar + kBack) / 2;
-  float x = kLeft - 0.05f;
-  for (int i = 0; x < kRight; ++i) {
-    const float width = 0.17f + 0.06f * random.next_float();
-    const Mesh board = numbered(bevelled_box({width, length, kBoardThickness}, 0.003f), 29 * i);
+  const float pitch = (kRight - kLeft) / static_cast<float>(kSlitsMm.size());
+  for (std::size_t i = 0; i < kSlitsMm.size(); ++i) {
+    const float slit = static_cast<float>(kSlitsMm[i]) / 1000, x = kLeft + pitch * static_cast<float>(i);
+    const float width = kSlitsMm[i] == 0 ? pitch + 0.001f : pitch - slit;
+    const Mesh board =
+        numbered(bevelled_box({width, length, kBoardThickness}, 0.003f), 29 * static_cast<int>(i));
     scene.add(m.wood, placed(board, Vec3(x + width / 2, middle_y, kCeiling + kBoardThickness / 2)));
-    const bool tight = random.next_float() < 0.45f;
-    const float slit = tight ? -0.001f : 0.007f + 0.012f * random.next_float();
-    x += width;
-    if (!tight && x + slit < kRight) {
+    if (slit > 0) {
       description.portals.push_back(
-          {{x, kBack, kCeiling + kBoardThickness}, {slit, 0, 0}, {0, kFar - kBack, 0}});
+          {{x + width, kBack, kCeiling + kBoardThickness}, {slit, 0, 0}, {0, kFar - kBack, 0}});
     }
-    x += slit;
   }
   for (int i = 0; i < 9; ++i) {
     const float y = kBack + 0.5f + 1.12f * static_cast<float>(i);
@@ -175,6 +179,33 @@ void add_outside(SceneAssembler& scene, const Materials& m) {
   }
 }
 
+/// Oil lamps: one hangs from the girder in the middle of the room, one behind the cameras fills the shadows.
+void add_lamps(SceneAssembler& scene, const Materials& m) {
+  for (const auto& [place, radius] :
+       {std::pair{Vec3(0.42f, 3.35f, 1.8f), 0.055f}, std::pair{Vec3(-1.0f, -1.3f, 1.9f), 0.13f}}) {
+    scene.add(m.flame, placed(ellipsoid({radius, radius, 1.25f * radius}, 20), place));
+    const std::array<std::array<float, 2>, 5> hood{{{0.4f * radius, 2.6f * radius},
+                                                    {0.5f * radius, 1.9f * radius},
+                                                    {1.5f * radius, 1.45f * radius},
+                                                    {1.5f * radius, 1.35f * radius},
+                                                    {0.1f * radius, 1.5f * radius}}};
+    scene.add(m.iron, placed(lathe(hood, 20), place));
+    const std::array<std::array<float, 2>, 5> foot{{{0.f, -2.1f * radius},
+                                                    {1.2f * radius, -2.1f * radius},
+                                                    {1.2f * radius, -1.4f * radius},
+                                                    {0.8f * radius, -1.3f * radius},
+                                                    {0.f, -1.3f * radius}}};
+    scene.add(m.iron, placed(lathe(foot, 20), place));
+    for (const float turn : {0.4f, 1.97f, 3.54f, 5.11f}) {
+      const Vec3 bar = place + 1.25f * radius * Vec3(std::cos(turn), std::sin(turn), 0);
+      scene.add(m.iron,
+                rod(bar - Vec3(0, 0, 1.4f * radius), bar + Vec3(0, 0, 1.4f * radius), 0.003f, 0.003f, 5));
+    }
+    scene.add(m.iron, rod(place + Vec3(0, 0, 2.5f * radius), Vec3(place.x(), place.y(), kCeiling), 0.006f,
+                          0.006f, 6));
+  }
+}
+
 void add_barrels(SceneAssembler& scene, const Materials& m) {
   add_barrel(scene, m.wood, m.iron, pose({2.0f, 3.4f, 0}, 20), 0.92f, 10);
   add_barrel(scene, m.wood, m.iron, pose({1.95f, 4.35f, 0}, 75), 0.92f, 60);
@@ -198,7 +229,7 @@ void add_crates(SceneAssembler& scene, const Materials& m) {
 }
 
 void add_shelf(SceneAssembler& scene, const Materials& m) {
-  const float y0 = 4.75f, y1 = 6.9f, depth = 0.34f, x = kLeft + depth / 2 + 0.02f;
+  const float y0 = 5.0f, y1 = 7.0f, depth = 0.34f, x = kLeft + depth / 2 + 0.02f;
   for (const float y : {y0, (y0 + y1) / 2, y1}) {
     scene.add(m.beam, placed(numbered(bevelled_box({depth, 0.05f, 1.9f}, 0.005f), 31), Vec3(x, y, 0.95f)));
   }
@@ -240,6 +271,7 @@ Scene cellar_room() {
   add_timber(scene, m);
   add_window(scene, result, m);
   add_outside(scene, m);
+  add_lamps(scene, m);
   add_barrels(scene, m);
   add_crates(scene, m);
   add_shelf(scene, m);
@@ -264,7 +296,9 @@ Scene cellar_room() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  result.max_bounces = 4;
+  // Direct light alone: sun patches are small and bright, light that bounces off them would be found by
+  // chance only.
+  result.max_bounces = 1;
   return result;
 }
 

@@ -13,8 +13,8 @@ Scene build_cellar_shafts() {
       "copies of them fade in and out and are cut off at disocclusions.";
   scene.medium = Medium{.min_m = {-2.4f, -2.5f, -0.1f},
                         .max_m = {2.6f, 7.5f, 2.45f},
-                        .scattering_per_m = 0.012f,
-                        .absorption_per_m = 0.001f,
+                        .scattering_per_m = 0.0045f,
+                        .absorption_per_m = 0.0005f,
                         .anisotropy = 0.6f};
   return scene;
 }

@@ -176,7 +176,7 @@ Scene build_tree() {
   add_grass(scene, m);
   add_fence(scene, m);
   const Vec3 foot = kTreeFoot + Vec3(0, 0, terrain(kTreeFoot.x(), kTreeFoot.y()) - 0.08f);
-  const TreeMeshes tree = grow_tree(foot, {.seed = 4});
+  const TreeMeshes tree = grow_tree(foot, {.bare_share = 0.3f, .leaves_per_twig = 9, .seed = 4});
   scene.add(m.bark, tree.branches);
   scene.add(m.leaves, tree.leaves);
   add_swing(scene, m, foot);
@@ -203,8 +203,8 @@ Scene build_tree() {
                   .rows = 3,
                   .spacing_x_m = 0.25,
                   .spacing_y_m = 0.2,
-                  .width = 480,
-                  .height = 270,
+                  .width = 384,
+                  .height = 216,
                   .paths_per_pixel = 32};
   result.paper = {.columns = 17,
                   .rows = 9,
@@ -213,7 +213,7 @@ Scene build_tree() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 256};
-  result.max_bounces = 3;
+  result.max_bounces = 2;
   return result;
 }
 

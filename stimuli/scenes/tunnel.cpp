@@ -2,9 +2,10 @@
 // under a film of water and the floor is full of puddles: mirror-like reflections of lamps and daylight,
 // whose disparity is not that of the wall they appear on, so that view synthesis shows ghost copies of them.
 //
-// Light: overcast daylight of 6 000–9 000 cd/m² at the far end, tube lamps of 9 000 cd/m² (warm white); dry
+// Light: overcast daylight of 2 500–4 300 cd/m² at the far end, tube lamps of 9 000 cd/m² (warm white); dry
 // lining about 1–40 cd/m².
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/random.h"
@@ -74,18 +75,18 @@ Rgb lining_albedo(const SurfacePoint& point) {
 float lining_roughness(const SurfacePoint& point) {
   const float wet = smooth_step(0.72f, 0.35f, streaks(point.position_m));
   const float joint = smooth_step(0.009f, 0.004f, brick_at(point.u, point.v).edge);
-  return 0.05f + 0.25f * (1 - wet) + 0.3f * joint;
+  return 0.035f + 0.25f * (1 - wet) + 0.3f * joint;
 }
 
 /// Water film over brick: each brick tilts a little and the film waves.
 Vec3 lining_normal(const SurfacePoint& point) {
   const Vec3& p = point.position_m;
   const Brick brick = brick_at(point.u, point.v);
-  const float tilt = 0.012f;
+  const float tilt = 0.008f;
   const Vec3 wave(gradient_noise(p * 5, 1), gradient_noise(p * 5, 2), gradient_noise(p * 5, 3));
   const Vec3 own(brick.tone - 0.5f, std::fmod(brick.tone * 7.3f, 1.f) - 0.5f,
                  std::fmod(brick.tone * 3.7f, 1.f) - 0.5f);
-  return (point.normal + 0.009f * wave + tilt * own).normalized();
+  return (point.normal + 0.006f * wave + tilt * own).normalized();
 }
 
 /// Depth of water on the floor in [0, 1]: puddles where the ground is low.
@@ -123,11 +124,11 @@ Materials make_materials(SceneAssembler& scene) {
   m.steel = scene.material(
       glossy(mottled({0.16f, 0.2f, 0.22f}, {0.24f, 0.15f, 0.08f}, 0.3f, -0.25f, 17), constant(0.25f), 1.5f));
   m.rust = scene.material(diffuse(mottled({0.26f, 0.12f, 0.06f}, {0.1f, 0.07f, 0.05f}, 0.15f, 0, 18)));
-  m.lamp = scene.material(emitter({10500, 8900, 6300}));
-  m.housing = scene.material(diffuse(plain({0.25f, 0.26f, 0.25f})));
+  m.lamp = scene.material(lamp({10500, 8900, 6300}));
+  m.housing = scene.material(diffuse(plain({0.06f, 0.065f, 0.065f})));
   m.cable = scene.material(diffuse(plain({0.035f, 0.035f, 0.04f})));
-  m.grass = scene.material(diffuse(mottled({0.10f, 0.2f, 0.035f}, {0.3f, 0.32f, 0.1f}, 0.9f, 0, 19)));
-  m.rock = scene.material(diffuse(mottled({0.4f, 0.37f, 0.32f}, {0.22f, 0.2f, 0.17f}, 0.5f, 0, 20)));
+  m.grass = scene.material(diffuse(mottled({0.05f, 0.10f, 0.02f}, {0.13f, 0.15f, 0.05f}, 0.9f, 0, 19)));
+  m.rock = scene.material(diffuse(mottled({0.24f, 0.22f, 0.19f}, {0.12f, 0.11f, 0.09f}, 0.5f, 0, 20)));
   m.trunk = scene.material(diffuse(bark({0.2f, 0.16f, 0.12f}, {0.06f, 0.05f, 0.04f}, 21)));
   m.leaves = scene.material(diffuse(mottled({0.05f, 0.12f, 0.025f}, {0.2f, 0.27f, 0.06f}, 0.4f, 0, 22)));
   return m;
@@ -222,7 +223,7 @@ void add_outside(SceneAssembler& scene, const Materials& m) {
     const auto bank = [&](float u, float v) {
       const float out = 14 * u, y = kEnd + 50 * v;
       const float bump = fractal_noise({out * 0.7f + side * 9, y * 0.7f, 0}, 4, 29);
-      return Vec3(side * (kHalfWidth + 0.1f + out), y, 0.55f * out + 0.35f * bump * std::min(out, 1.f));
+      return Vec3(side * (kHalfWidth + 0.1f + out), y, 0.42f * out + 0.35f * bump * std::min(out, 1.f));
     };
     Mesh slope = surface(60, 120, bank);
     scene.add(m.grass, slope);
@@ -232,11 +233,11 @@ void add_outside(SceneAssembler& scene, const Materials& m) {
       scene.add(m.rock,
                 placed(rough_stone({size, size, size * 0.7f}, size * 0.2f, size * 0.1f, 5,
                                    300u + static_cast<std::uint32_t>(i)),
-                       pose({side * (kHalfWidth + out), y, 0.55f * out + 0.1f}, 360 * random.next_float())));
+                       pose({side * (kHalfWidth + out), y, 0.42f * out + 0.1f}, 360 * random.next_float())));
     }
   }
   const auto floor_end = [](float u, float v) {
-    return Vec3(60 * (2 * u - 1), kEnd + 45 + 30 * v, -0.3f + 6 * v + 0.8f * std::abs(2 * u - 1) * 6);
+    return Vec3(60 * (2 * u - 1), kEnd + 45 + 30 * v, -0.3f + 1.6f * v + 5 * std::abs(2 * u - 1));
   };
   scene.add(m.grass, surface(40, 20, floor_end));
 }
@@ -247,7 +248,7 @@ void add_trees(SceneAssembler& scene, const Materials& m) {
     const float side = i % 2 == 0 ? -1.f : 1.f;
     const float out = 2.5f + 9 * random.next_float(), y = kEnd + 14 + 34 * random.next_float();
     const float height = 4 + 4 * random.next_float();
-    const Vec3 foot(side * (kHalfWidth + out), y, 0.5f * out);
+    const Vec3 foot(side * (kHalfWidth + out), y, 0.4f * out);
     scene.add(m.trunk, rod(foot, foot + Vec3(0, 0, height * 0.5f), 0.14f, 0.08f, 8));
     Mesh crown = ellipsoid({height * 0.3f, height * 0.3f, height * 0.42f}, 56);
     for (Vec3& p : crown.positions_m) {
@@ -278,17 +279,17 @@ Scene build_tunnel() {
       "disparity than the "
       "surface, so synthesised views show ghost copies of them.";
   result.sky = {.kind = Sky::Kind::kGradient,
-                .zenith_cd_m2 = {6200, 6900, 7800},
-                .horizon_cd_m2 = {9300, 9300, 9000},
-                .ground_cd_m2 = {600, 640, 420}};
+                .zenith_cd_m2 = {2500, 2800, 3200},
+                .horizon_cd_m2 = {4300, 4300, 4200},
+                .ground_cd_m2 = {120, 130, 80}};
   result.portals.push_back({{-kHalfWidth, kEnd, 0}, {2 * kHalfWidth, 0, 0}, {0, 0, kSpring + kHalfWidth}});
   result.camera = {.centre_m = {-0.35f, 0, 1.55f}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .fov_h_deg = 68};
   result.quick = {.columns = 5,
                   .rows = 3,
                   .spacing_x_m = 0.16,
                   .spacing_y_m = 0.14,
-                  .width = 480,
-                  .height = 270,
+                  .width = 384,
+                  .height = 216,
                   .paths_per_pixel = 32};
   result.paper = {.columns = 17,
                   .rows = 9,
@@ -297,7 +298,8 @@ Scene build_tunnel() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  result.max_bounces = 4;
+  // Lamps and sky reflect in a single bounce; longer paths add little but sparks of light found by chance.
+  result.max_bounces = 1;
   return result;
 }
 

@@ -40,10 +40,11 @@ Material glossy(ColourTexture albedo, ScalarTexture roughness, float ior, Normal
   return result;
 }
 
-Material emitter(Rgb radiance_cd_m2) {
+Material lamp(Rgb radiance_cd_m2) {
   Material result;
   result.kind = Material::Kind::kEmitter;
   result.radiance_cd_m2 = radiance_cd_m2;
+  result.two_sided = false;
   return result;
 }
 

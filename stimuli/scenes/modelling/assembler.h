@@ -24,6 +24,7 @@ class SceneAssembler {
 /// Materials in one line.
 Material diffuse(ColourTexture albedo, NormalTexture normal = {});
 Material glossy(ColourTexture albedo, ScalarTexture roughness, float ior, NormalTexture normal = {});
-Material emitter(Rgb radiance_cd_m2);
+/// A light source with a closed surface: shines outwards only.
+Material lamp(Rgb radiance_cd_m2);
 
 }  // namespace plenolab

@@ -58,8 +58,9 @@ void add_stone_wall(SceneAssembler& scene, int stone, int mortar, const Eigen::A
     if (x1 - x0 < 2 * look.rounding || z1 - z0 < 2 * look.rounding) return;
     ++panel_look.seed;
     scene.add(stone, placed(placed(stone_courses(x1 - x0, z1 - z0, panel_look), Vec3(x0, 0, z0)), at));
-    const Mesh back = upright_rectangle(x0 > 0 ? x0 : -kPast, x1 < length_m ? x1 : length_m + kPast,
-                                        z0 > 0 ? z0 : -kPast, z1 < height_m ? z1 : height_m + kPast, look.mortar_back);
+    const Mesh back =
+        upright_rectangle(x0 > 0 ? x0 : -kPast, x1 < length_m ? x1 : length_m + kPast, z0 > 0 ? z0 : -kPast,
+                          z1 < height_m ? z1 : height_m + kPast, look.mortar_back);
     scene.add(mortar, placed(back, at));
   };
   if (!opening) {
