@@ -1,0 +1,127 @@
+#include "experiments/reproduce/claims/geometry_measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/image/colour.h"
+
+namespace plenolab {
+
+Mask beyond_rim(const Mask& mask) {
+  Mask kept(mask.width(), mask.height());
+  const auto whole = [&](int x, int y) {
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i)
+        if (mask.at(x + i, y + j) == 0) return false;
+    return true;
+  };
+  for (int y = 0; y + 3 <= mask.height(); ++y)
+    for (int x = 0; x + 3 <= mask.width(); ++x)
+      if (whole(x, y))
+        for (int j = 0; j < 3; ++j) std::fill_n(kept.row(y + j) + x, 3, static_cast<unsigned char>(1));
+  return kept;
+}
+
+Mask where_zero(const Plane<std::uint8_t>& visible_views) {
+  Mask mask(visible_views.width(), visible_views.height());
+  std::transform(visible_views.pixels().begin(), visible_views.pixels().end(), mask.pixels().begin(),
+                 [](std::uint8_t views) { return static_cast<unsigned char>(views == 0); });
+  return mask;
+}
+
+std::vector<std::vector<std::size_t>> regions_of(const Mask& mask) {
+  Mask open = mask;
+  const int width = mask.width(), height = mask.height();
+  std::vector<std::vector<std::size_t>> regions;
+  for (std::size_t start = 0; start < open.size(); ++start) {
+    if (open.pixels()[start] == 0) continue;
+    open.pixels()[start] = 0;
+    std::vector<std::size_t> region{start};
+    for (std::size_t next = 0; next < region.size(); ++next) {
+      const int x = static_cast<int>(region[next]) % width, y = static_cast<int>(region[next]) / width;
+      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
+        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
+          if (open.at(i, j) == 0) continue;
+          open.at(i, j) = 0;
+          region.push_back(static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
+                           static_cast<std::size_t>(i));
+        }
+    }
+    regions.push_back(std::move(region));
+  }
+  return regions;
+}
+
+Interval share_interval(std::size_t hits, std::size_t trials) {
+  PLENOLAB_CHECK(trials > 0 && hits <= trials, fmt::format("{} of {}", hits, trials));
+  constexpr double z = 1.959964;  // 97.5 % point of the normal distribution
+  const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n;
+  const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  // The ends at 0 and n hits are exactly 0 and 1; rounding must not leave the estimate outside.
+  return {p, hits == 0 ? 0 : centre - half, hits == trials ? 1 : centre + half};
+}
+
+Interval bootstrap_units(std::size_t units, const std::function<double(std::span<const double>)>& statistic,
+                         std::uint64_t seed) {
+  std::vector<double> indices(units);
+  std::iota(indices.begin(), indices.end(), 0.0);
+  BootstrapOptions options;
+  options.seed = seed;
+  return bootstrap_interval(indices, statistic, options);
+}
+
+Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure) {
+  const DisplayImage a = expose(test, exposure), b = expose(truth, exposure);
+  Plane<float> error(a.width(), a.height());
+  std::transform(a.pixels().begin(), a.pixels().end(), b.pixels().begin(), error.pixels().begin(),
+                 [](Rgb p, Rgb q) {
+                   const Rgb d = p - q;
+                   return (d.r * d.r + d.g * d.g + d.b * d.b) / 3;
+                 });
+  return error;
+}
+
+double ErrorSum::rms() const {
+  return pixels > 0 ? std::sqrt(squares / pixels) : 0;
+}
+
+std::string interval_text(const Interval& interval, int digits) {
+  return fmt::format("{} ({} to {})", format_number(interval.estimate, digits),
+                     format_number(interval.low, digits), format_number(interval.high, digits));
+}
+
+std::string outcome_text(Outcome outcome) {
+  switch (outcome) {
+    case Outcome::kConfirmed:
+      return "The claim is confirmed here.";
+    case Outcome::kRefuted:
+      return "The claim is refuted here.";
+    case Outcome::kUndecided:
+      return "That does not decide the claim.";
+  }
+  return "";
+}
+
+void conclude(ReproductionResult& result, Claim claim, Verdict verdict) {
+  const LedgerEntry entry{std::move(claim), std::move(verdict)};
+  add_ledger_rows(result.rows, std::span(&entry, 1));
+  result.ledger.push_back(entry);
+}
+
+std::vector<CameraPosition> judged_positions(const ViewGrid& grid, Effort effort) {
+  const double s = std::max(0, (grid.columns - 2) / 2), t = std::max(0, (grid.rows - 2) / 2);
+  std::vector<CameraPosition> positions;
+  for (const CameraPosition offset : {CameraPosition{0.5, 0.5}, {0.5, 0.0}, {0.25, 0.6}}) {
+    const CameraPosition position{s + offset.s, t + offset.t};
+    if (grid.contains(position)) positions.push_back(position);
+  }
+  if (effort == Effort::kTiny) positions.resize(std::min<std::size_t>(positions.size(), 1));
+  return positions;
+}
+
+}  // namespace plenolab

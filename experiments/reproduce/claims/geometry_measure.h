@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "analysis/statistics.h"
+#include "core/image/image.h"
+#include "experiments/reproduce/reproduction.h"
+
+namespace plenolab {
+
+/// What the geometry claims measure with.
+
+/// The rim is what sampling alone costs: occluders lose half a pixel a side, and the disparity map knows
+/// their outline to a pixel. One pixel lost on each of two opposite sides makes strips of up to two pixels,
+/// so a pixel of the mask lies beyond the rim if it belongs to a 3 × 3 block that is wholly in the mask.
+Mask beyond_rim(const Mask& mask);
+
+/// 1 where no key view sees the surface before restoration (red in the visibility map).
+Mask where_zero(const Plane<std::uint8_t>& visible_views);
+
+/// Regions of set pixels that touch by sides or corners, as pixel indices y·width + x.
+std::vector<std::vector<std::size_t>> regions_of(const Mask& mask);
+
+/// 95 % Wilson score interval of a share (Wilson 1927): has a width also for 0 of n and n of n. n ≥ 1.
+Interval share_interval(std::size_t hits, std::size_t trials);
+
+/// 95 % percentile bootstrap over units 0 … units − 1, for statistics that are no function of single values
+/// (ratios of sums). `statistic` receives the drawn units.
+Interval bootstrap_units(std::size_t units, const std::function<double(std::span<const double>)>& statistic,
+                         std::uint64_t seed);
+
+/// Mean over the channels of the squared difference of clamp(exposure·C, 0, 1)^(1/2.2), pixel by pixel.
+Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure);
+
+/// Sum and number of squared errors over some pixels, to be pooled.
+struct ErrorSum {
+  double squares = 0;
+  double pixels = 0;
+  void add(double square) { squares += square, pixels += 1; }
+  ErrorSum& operator+=(const ErrorSum& other) {
+    squares += other.squares, pixels += other.pixels;
+    return *this;
+  }
+  double rms() const;  ///< 0 for no pixels
+};
+
+/// "0.12 (0.10 to 0.15)".
+std::string interval_text(const Interval& interval, int digits = 3);
+/// "The claim is confirmed." in the words of the outcome.
+std::string outcome_text(Outcome outcome);
+
+/// Files a decided claim in the result: ledger entry and its row.
+void conclude(ReproductionResult& result, Claim claim, Verdict verdict);
+
+/// Positions at which rendered scenes are judged, in one cell in the middle of the grid: its centre, on a
+/// grid line, off every symmetry line; the centre alone in a tiny run. They are those of
+/// synthesis_quality.cpp, so that each truth is rendered once.
+std::vector<CameraPosition> judged_positions(const ViewGrid& grid, Effort effort);
+
+}  // namespace plenolab

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/synthesis/novel_view.h"
+#include "experiments/reproduce/claims/geometry_shapes.h"
+#include "experiments/reproduce/claims/probes.h"
+#include "experiments/reproduce/reproduction.h"
+
+namespace plenolab {
+
+/// Random flat occluders before a flat background, seen by the four key views of one cell: which of them
+/// leave background that no key view has seen? (Thesis, section 4.1.5.) Only visibility matters, so surfaces
+/// are plain.
+
+/// Image size of these probes.
+inline constexpr int kOccluderWidth = 96, kOccluderHeight = 72;
+
+/// One or two occluders and what lies behind them.
+struct OccluderPlacement {
+  std::vector<Shape> shapes;           ///< centred as the middle of the cell sees them
+  std::vector<double> disparities_px;  ///< of each shape
+  double background_px = 0;            ///< disparity of the background
+};
+
+/// The grid of the probes: one cell of four key views.
+ViewGrid occluder_grid();
+
+/// A single occluder that lies in all four frustums together with everything it hides.
+OccluderPlacement place_inside(ShapeKind kind, RandomStream& random);
+/// Two occluders of one kind side by side, all in the four frustums; 2 to 8 px lie between them as the middle
+/// of the cell sees it.
+OccluderPlacement place_pair(ShapeKind kind, RandomStream& random);
+/// A single occluder that the border of at least one key view cuts, before a background that is not
+/// infinitely far away, so that the frustums differ there.
+OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random);
+
+/// The placement as a world. `textured`: patterns instead of plain colours, for pictures.
+FlatWorld world_of(const OccluderPlacement& placement, bool textured);
+
+/// 1 where the surface that a pixel's centre shows is hidden from, or outside the image of, all four corner
+/// views: geometry alone, without sampling or search.
+Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position);
+
+/// What synthesis and geometry say about one placement.
+struct OccluderOutcome {
+  double unseen_px = 0;    ///< beyond the rim, mean over the positions: no key view sees the surface
+  double geometry_px = 0;  ///< beyond the rim, mean over the positions: truly hidden from all key views
+  bool unseen = false;     ///< at any position some pixel beyond the rim was unseen
+  bool hidden = false;     ///< at any position some pixel beyond the rim was truly hidden
+  CameraPosition worst;    ///< position with most unseen pixels
+};
+OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, int threads);
+
+/// All placements of one kind.
+struct OccluderStudy {
+  ShapeKind kind = ShapeKind::kDisc;
+  std::vector<OccluderPlacement> placements;
+  std::vector<OccluderOutcome> outcomes;
+  std::size_t unseen() const;  ///< placements that leave unseen background
+  std::size_t hidden() const;
+};
+
+/// How placements are drawn.
+using Placing = OccluderPlacement (*)(ShapeKind kind, RandomStream& random);
+
+/// `count` placements of each kind. `purpose` keeps the random numbers of claims apart.
+std::vector<OccluderStudy> study_occluders(Laboratory& laboratory, std::span<const ShapeKind> kinds,
+                                           Placing placing, int count, std::uint64_t purpose);
+
+/// Placements per kind in this run: 24, or 2 in a tiny one.
+int placements_per_kind(const Laboratory& laboratory);
+
+/// Share of placements with unseen background over several kinds, with its interval.
+Interval unseen_share(const std::vector<OccluderStudy>& studies);
+
+/// Rows of a study (columns occluders, kind), and a bar chart of the share of placements with unseen
+/// background by kind beside the share that geometry predicts.
+void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& studies, const std::string& set);
+ReportPlot plot_of(const std::vector<OccluderStudy>& studies, std::string caption);
+
+/// Truth, synthesised view and visibility map of the placement with most unseen background.
+void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>& studies,
+                    const std::string& name, int threads);
+
+}  // namespace plenolab
