@@ -215,7 +215,7 @@ class Run {
       }
       if (options_.keep_thin && setup_.test_disocclusion)
         splats_[v] = std::make_unique<ThinSplats>(
-            splat_thin_pixels(*input_.prepared[v], path, options_.disocclusion_px));
+            splat_edge_pixels(*input_.prepared[v], path, options_.disocclusion_px));
     }
     out_.timings.occupancy_s = watch.lap();
   }
@@ -266,7 +266,7 @@ class Run {
   }
 
   std::uint64_t keep_thin(const Patch& patch, PatchViews& space) const {
-    const std::uint64_t kept = keep_thin_pixels(setup_, splats_, patch, space);
+    const std::uint64_t kept = keep_edge_pixels(setup_, splats_, patch, space);
     if (kept == 0) return 0;
     for (std::size_t v = 0; v < paths_.size(); ++v) look_up_patch(*input_.prepared[v], patch, space.views[v]);
     return kept;

@@ -6,23 +6,23 @@
 namespace plenolab {
 namespace {
 
-bool is_thin(const PreparedView& view, int x, int y, float threshold) {
+bool is_edge(const PreparedView& view, int x, int y, float threshold) {
   const float centre = view.disparity_row(y)[x];
   for (int dy = -1; dy <= 0; ++dy)
     for (int dx = -1; dx <= 0; ++dx) {  // the padding repeats the outermost pixels
       const float *upper = view.disparity_row(y + dy) + x + dx,
                   *lower = view.disparity_row(y + dy + 1) + x + dx;
       const float farthest = std::min(std::min(upper[0], upper[1]), std::min(lower[0], lower[1]));
-      if (!(centre - farthest > threshold)) return false;
+      if (centre - farthest > threshold) return true;
     }
-  return true;
+  return false;
 }
 
 /// What one view shows of a pixel.
 struct Sight {
   bool surface = false;  ///< in frustum and past rule 2
   float disparity = 0;   ///< of the surface the search found
-  float thin = -1;       ///< of a thin pixel in front of it, or −1
+  float thin = -1;       ///< of an edge pixel in front of it, or −1
 };
 
 Sight look(const BlendSetup& setup, const PatchView& view, const PreparedView& prepared, int n, float thin) {
@@ -51,12 +51,12 @@ bool agreed(const BlendSetup& setup, const std::array<Sight, kMaxViews>& sights,
 
 }  // namespace
 
-ThinSplats splat_thin_pixels(const PreparedView& view, const EpipolarPath& path, double disocclusion_px) {
+ThinSplats splat_edge_pixels(const PreparedView& view, const EpipolarPath& path, double disocclusion_px) {
   ThinSplats splats{Plane<float>(view.width, view.height, -1.0f), Plane<int>(view.width, view.height, -1)};
   const auto threshold = static_cast<float>(disocclusion_px);
   for (int y = 0; y < view.height; ++y)
     for (int x = 0; x < view.width; ++x) {
-      if (!is_thin(view, x, y, threshold)) continue;
+      if (!is_edge(view, x, y, threshold)) continue;
       const float disparity = view.disparity_row(y)[x];
       const double to_x = std::floor(x - path.sx - path.vx * disparity + 0.5);
       const double to_y = std::floor(y - path.sy - path.vy * disparity + 0.5);
@@ -69,7 +69,7 @@ ThinSplats splat_thin_pixels(const PreparedView& view, const EpipolarPath& path,
   return splats;
 }
 
-std::uint64_t keep_thin_pixels(const BlendSetup& setup,
+std::uint64_t keep_edge_pixels(const BlendSetup& setup,
                                const std::array<std::unique_ptr<ThinSplats>, kMaxViews>& splats,
                                const Patch& patch, PatchViews& views) {
   std::uint64_t kept = 0;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
+#include <tuple>
 #include <utility>
 #include <vector>
 

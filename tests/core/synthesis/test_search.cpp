@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 
 #include "core/synthesis/key_views.h"
 #include "core/synthesis/search.h"
@@ -11,12 +12,6 @@ namespace plenolab {
 namespace {
 
 using namespace testing_support;
-
-struct SearchCase {
-  const char* name;
-  LightField field;
-  CameraPosition position;
-};
 
 CameraPosition inside_cell(const ViewGrid& grid, double s, double t) {
   return {grid.columns > 1 ? s : 0, grid.rows > 1 ? t : 0};
@@ -48,7 +43,9 @@ void expect_equal_searches(const LightField& field, CameraPosition position, Syn
                 << "pixel " << left + x << ", " << top + y << " baseline " << used.b_x << ", " << used.b_y;
             const Hit vector = hits->get(y * Patch::kMaxWidth + x);
             ASSERT_EQ(linear.found(), vector.found()) << left + x << ", " << top + y;
-            if (linear.found()) ASSERT_EQ(linear, vector) << left + x << ", " << top + y;
+            if (linear.found()) {
+              ASSERT_EQ(linear, vector) << left + x << ", " << top + y;
+            }
           }
         if (!path.is_key_view()) {
           EXPECT_EQ(by_pixel.samples, by_patch.samples);
