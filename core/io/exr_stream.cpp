@@ -9,6 +9,8 @@
 
 #include <cstring>
 #include <exception>
+#include <map>
+#include <optional>
 
 #include "core/base/error.h"
 
@@ -59,26 +61,98 @@ class AttributeWalk {
     return std::to_integer<unsigned char>(bytes_[position_]);
   }
 
-  void skip_text() {
-    while (peek() != 0) ++position_;
+  std::string read_text() {
+    std::string text;
+    for (; peek() != 0; ++position_) text += static_cast<char>(peek());
     ++position_;
+    return text;
+  }
+
+  std::int32_t read_int() {
+    if (bytes_.size() - position_ < 4) damaged("it ends inside the header");
+    std::int32_t value = 0;
+    std::memcpy(&value, bytes_.data() + position_, 4);
+    position_ += 4;
+    return value;
   }
 
   void check_one_header() {
     while (peek() != 0) {
-      skip_text();
-      skip_text();
-      if (bytes_.size() - position_ < 4) damaged("it ends inside the header");
-      std::int32_t size = 0;
-      std::memcpy(&size, bytes_.data() + position_, 4);
-      position_ += 4;
+      const std::string attribute = read_text();
+      const std::string type = read_text();
+      const std::int32_t size = read_int();
       if (size < 0 || static_cast<std::size_t>(size) > bytes_.size() - position_)
         damaged(fmt::format("an attribute claims {} bytes of the {} that are left", size,
                             bytes_.size() - position_));
+      check_value(attribute, type, size);
       position_ += static_cast<std::size_t>(size);
     }
     ++position_;
   }
+
+  /// OpenEXR reads values of these types by their own length, whatever size the file states: where the two
+  /// differ, it would go on in the middle of something else and take any bytes for the length of the next
+  /// attribute.
+  void check_value(const std::string& attribute, const std::string& type, std::int32_t size) {
+    std::optional<std::int64_t> needed;
+    if (const auto fixed = kFixedSizes.find(type); fixed != kFixedSizes.end()) needed = fixed->second;
+    if (type == "chlist") needed = channel_list_size();
+    if (type == "preview") needed = preview_size(size);
+    if (needed && *needed != size)
+      damaged(fmt::format("attribute '{}' of type {} has {} bytes instead of {}", attribute, type, size,
+                          *needed));
+  }
+
+  std::int64_t channel_list_size() {
+    const std::size_t begin = position_;
+    while (peek() != 0) {
+      read_text();
+      constexpr std::size_t kChannelBytes = 16;  // pixel type, linearity, reserved, x and y sampling
+      if (bytes_.size() - position_ < kChannelBytes) damaged("it ends inside the channel list");
+      position_ += kChannelBytes;
+    }
+    const auto length = static_cast<std::int64_t>(position_ + 1 - begin);
+    position_ = begin;
+    return length;
+  }
+
+  std::int64_t preview_size(std::int32_t stated) {
+    if (stated < 8) return 8;
+    const std::size_t begin = position_;
+    const std::int64_t width = static_cast<std::uint32_t>(read_int());
+    const std::int64_t height = static_cast<std::uint32_t>(read_int());
+    position_ = begin;
+    constexpr std::int64_t kMaxSide = 1 << 14;
+    if (width > kMaxSide || height > kMaxSide)
+      damaged(fmt::format("its preview claims {}×{} pixels", width, height));
+    return 8 + 4 * width * height;
+  }
+
+  /// Bytes of the values of types of one length (OpenEXR File Layout, "Predefined Attribute Types").
+  static inline const std::map<std::string, std::int64_t> kFixedSizes{{"box2i", 16},
+                                                                      {"box2f", 16},
+                                                                      {"chromaticities", 32},
+                                                                      {"compression", 1},
+                                                                      {"deepImageState", 1},
+                                                                      {"double", 8},
+                                                                      {"envmap", 1},
+                                                                      {"float", 4},
+                                                                      {"int", 4},
+                                                                      {"keycode", 28},
+                                                                      {"lineOrder", 1},
+                                                                      {"m33f", 36},
+                                                                      {"m33d", 72},
+                                                                      {"m44f", 64},
+                                                                      {"m44d", 128},
+                                                                      {"rational", 8},
+                                                                      {"tiledesc", 9},
+                                                                      {"timecode", 8},
+                                                                      {"v2i", 8},
+                                                                      {"v2f", 8},
+                                                                      {"v2d", 16},
+                                                                      {"v3i", 12},
+                                                                      {"v3f", 12},
+                                                                      {"v3d", 24}};
 
   std::span<const std::byte> bytes_;
   const std::string& name_;

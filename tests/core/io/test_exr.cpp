@@ -235,6 +235,26 @@ TEST(Exr, AbsurdSizesAreRefusedBeforeAnythingIsAllocated) {
   EXPECT_EQ(read_exr_image(folder.path() / "a.exr", {.max_pixels = 16}).size(), 16u);
 }
 
+TEST(Exr, AttributesWhoseStatedSizeIsNotThatOfTheirTypeAreRefusedByName) {
+  const TemporaryFolder folder;
+  write_exr(folder.path() / "a.exr", random_image(4, 4));
+  const std::vector<std::byte> good = read_bytes(folder.path() / "a.exr", 1 << 20);
+  const std::string_view text(reinterpret_cast<const char*>(good.data()), good.size());
+  for (const auto& [name, type] : {std::pair<std::string, std::string>{"pixelAspectRatio", "float"},
+                                   {"screenWindowCenter", "v2f"},
+                                   {"channels", "chlist"}}) {
+    const std::string key = name + '\0' + type + '\0';
+    const std::size_t size_at = text.find(key) + key.size();
+    std::vector<std::byte> bytes = good;
+    std::int32_t size = 0;
+    std::memcpy(&size, bytes.data() + size_at, 4);
+    size += 3;
+    std::memcpy(bytes.data() + size_at, &size, 4);
+    bytes.insert(bytes.begin() + static_cast<std::ptrdiff_t>(size_at) + 4 + size - 3, 3, std::byte{0x7f});
+    EXPECT_NE(message_of([&] { parse_exr_image(bytes, "a.exr"); }).find(name), std::string::npos) << name;
+  }
+}
+
 TEST(Exr, ExtraChannelsOfAnotherSizeOrReservedNamesAreRefused) {
   const TemporaryFolder folder;
   const Plane<float> small(2, 2), equal(3, 3);
