@@ -127,8 +127,18 @@ class OccupancyBuilder {
 
   /// First (or last) pixel at or beyond a coordinate, cut to −1 … size.
   static int pixel(double coordinate, int size, bool first) {
-    if (first) return static_cast<int>(std::ceil(std::clamp(coordinate, 0.0, static_cast<double>(size))));
-    return static_cast<int>(std::floor(std::clamp(coordinate, -1.0, static_cast<double>(size - 1))));
+    if (first) return round_up(std::clamp(coordinate, 0.0, static_cast<double>(size)));
+    return round_down(std::clamp(coordinate, -1.0, static_cast<double>(size - 1)));
+  }
+
+  /// ⌈v⌉ and ⌊v⌋ for |v| < 2³¹, without a library call.
+  static int round_up(double v) {
+    const int whole = static_cast<int>(v);
+    return whole + (whole < v ? 1 : 0);
+  }
+  static int round_down(double v) {
+    const int whole = static_cast<int>(v);
+    return whole - (whole > v ? 1 : 0);
   }
 
   void mark_tile(int x, int y, SampleRange samples) {

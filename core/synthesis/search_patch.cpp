@@ -49,6 +49,11 @@ class StripSearch {
     std::fill_n(first_, kRows * kLanes, kNever);
     const bool all_inside = starts_inside(x_, y_) && starts_inside(x_ + columns - 1, y_ + rows - 1) &&
                             starts_inside(x_ + columns - 1, y_) && starts_inside(x_, y_ + rows - 1);
+    if (all_inside && columns == kLanes) {
+      std::fill_n(first_, rows * kLanes, 0);
+      rows_left_ = (1u << rows) - 1;
+      return;
+    }
     for (int row = 0; row < rows; ++row) {
       for (int lane = 0; lane < columns; ++lane)
         first_[row * kLanes + lane] = all_inside ? 0 : start_pixel(lane, row);

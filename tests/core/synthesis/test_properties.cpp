@@ -326,7 +326,7 @@ TEST(Restoration, TakesTheFarthestOfThePixelsAroundACorrespondence) {
   const PreparedView prepared = prepare_view(view, 1);
   EXPECT_EQ(background_pixel(prepared, {0, 0, 0.4f, 0.4f}), (Hit{1, 1, 0, 0}));
   EXPECT_EQ(background_pixel(prepared, {1, 0, 0.4f, 0.4f}), (Hit{2, 0, 0, 0}));
-  EXPECT_EQ(background_pixel(prepared, {0, 0, 0.4f, 0}), (Hit{1, 0, 0, 0}));
+  EXPECT_EQ(background_pixel(prepared, {0, 0, 0.6f, 0}), (Hit{1, 0, 0, 0}));
 }
 
 /// A square of disparity 12 in front of a background of disparity 2, seen from everywhere.

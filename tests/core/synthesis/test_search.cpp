@@ -118,7 +118,10 @@ TEST(FastSearch, FindsTheLinearSearchsHitsForTheFixedScreen) {
 }
 
 TEST(FastSearch, LooksAtFewerSamplesThanTheLinearSearchOnSmoothSurfaces) {
-  const LightField field = stepped_field(grid_of(2, 2, 320, 200), 60, 0, 17);
+  const auto field = field_of(grid_of(2, 2, 320, 200), [](int c, int r, int x, int y) {
+    const bool front = x + 60 * c > 150 && x + 60 * c < 230 && y + 60 * r > 80 && y + 60 * r < 150;
+    return std::pair(Rgb{1, 1, 1}, front ? 60.0f : 20 + 0.05f * static_cast<float>(y + 20 * r));
+  });
   SynthesisOptions linear, fast;
   linear.search = SearchKind::kLinear;
   const auto by_linear = synthesize(field, {0.5, 0.5}, linear).statistics;
