@@ -2,7 +2,7 @@
 // float on rippled water that reflects them. Small bright lights before a dark ground: a dynamic range of
 // 10⁵, and reflections broken up by ripples, which the denser camera grid reproduces well.
 //
-// Light: lanterns 2 000–8 000 cd/m², sky 0.15 cd/m² overhead to 1.5 cd/m² at the horizon, moon 3 000 cd/m²
+// Light: lanterns 2 000–8 000 cd/m², sky 0.1 cd/m² overhead to 0.8 cd/m² at the horizon, moon 3 000 cd/m²
 // (0.2 lx), windows on the far shore 60–150 cd/m²; water 0.05–2 cd/m² between reflections.
 
 #include <cmath>
@@ -228,8 +228,8 @@ Scene build_boats() {
   result.sun =
       Sun{.direction = Vec3(0.34f, 0.88f, 0.235f).normalized(), .illuminance_lx = {0.24f, 0.205f, 0.15f}};
   result.sky = {.kind = Sky::Kind::kGradient,
-                .zenith_cd_m2 = {0.05f, 0.14f, 0.42f},
-                .horizon_cd_m2 = {1.25f, 1.3f, 1.9f},
+                .zenith_cd_m2 = {0.025f, 0.09f, 0.36f},
+                .horizon_cd_m2 = {0.52f, 0.78f, 1.6f},
                 .ground_cd_m2 = {0.05f, 0.06f, 0.08f}};
   const float pitch = -3.5f * static_cast<float>(EIGEN_PI) / 180;
   result.camera = {.centre_m = {0, 0, 2.1f},
@@ -242,7 +242,7 @@ Scene build_boats() {
                   .spacing_y_m = 0.07,
                   .width = 384,
                   .height = 216,
-                  .paths_per_pixel = 32};
+                  .paths_per_pixel = 16};
   result.paper = {.columns = 17,
                   .rows = 9,
                   .spacing_x_m = 0.04,

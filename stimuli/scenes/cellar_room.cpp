@@ -49,7 +49,7 @@ Materials make_materials(SceneAssembler& scene) {
       glossy(mottled({0.42f, 0.2f, 0.1f}, {0.25f, 0.12f, 0.07f}, 0.08f, 0, 41), constant(0.3f), 1.5f));
   m.grass = scene.material(diffuse(mottled({0.16f, 0.26f, 0.06f}, {0.32f, 0.34f, 0.12f}, 0.6f, 0, 51)));
   m.leaves = scene.material(diffuse(mottled({0.07f, 0.14f, 0.03f}, {0.2f, 0.3f, 0.07f}, 0.35f, 0, 61)));
-  m.flame = scene.material(lamp({5200, 3300, 1500}));
+  m.flame = scene.material(lamp({9000, 6100, 3000}));
   return m;
 }
 
@@ -89,8 +89,8 @@ void add_floor(SceneAssembler& scene, const Materials& m) {
 /// Boards along the room, some tight, others with a slit in millimetres before the next. Thin slits show the
 /// sky only: they are deeper than wide as seen from the sun. The three wide ones let the sun through, and
 /// some cameras see it.
-constexpr std::array<int, 24> kSlitsMm{0, 9,  0, 0, 38, 0, 7, 0,  0, 11, 0, 8,
-                                       0, 42, 0, 0, 9,  0, 0, 34, 0, 8,  0, 0};
+constexpr std::array<int, 24> kSlitsMm{0, 9,  0, 0, 55, 0, 7, 0,  0, 11, 0, 0,
+                                       0, 95, 0, 0, 9,  0, 0, 60, 0, 8,  0, 0};
 
 /// Slits become portals of the sky.
 void add_ceiling(SceneAssembler& scene, Scene& description, const Materials& m) {
@@ -182,7 +182,7 @@ void add_outside(SceneAssembler& scene, const Materials& m) {
 /// Oil lamps: one hangs from the girder in the middle of the room, one behind the cameras fills the shadows.
 void add_lamps(SceneAssembler& scene, const Materials& m) {
   for (const auto& [place, radius] :
-       {std::pair{Vec3(0.42f, 3.35f, 1.8f), 0.055f}, std::pair{Vec3(-1.0f, -1.3f, 1.9f), 0.13f}}) {
+       {std::pair{Vec3(0.42f, 3.35f, 1.8f), 0.085f}, std::pair{Vec3(-1.0f, -1.3f, 1.75f), 0.2f}}) {
     scene.add(m.flame, placed(ellipsoid({radius, radius, 1.25f * radius}, 20), place));
     const std::array<std::array<float, 2>, 5> hood{{{0.4f * radius, 2.6f * radius},
                                                     {0.5f * radius, 1.9f * radius},
@@ -286,9 +286,9 @@ Scene cellar_room() {
                   .rows = 3,
                   .spacing_x_m = 0.1,
                   .spacing_y_m = 0.08,
-                  .width = 480,
-                  .height = 270,
-                  .paths_per_pixel = 32};
+                  .width = 384,
+                  .height = 216,
+                  .paths_per_pixel = 16};
   result.paper = {.columns = 17,
                   .rows = 5,
                   .spacing_x_m = 0.05,

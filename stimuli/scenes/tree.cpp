@@ -86,16 +86,15 @@ void add_land(SceneAssembler& scene, const Materials& m) {
   scene.add(m.meadow, surface(160, 220, near_land));
   const std::array<float, 3> distances{110, 300, 800};
   for (std::size_t i = 0; i < distances.size(); ++i) {
-    const float d = distances[i];
-    const auto ridge = [d, i](float u, float v) {
-      const float x = (2 * u - 1) * d * 1.3f;
-      const float swell = fractal_noise({x / d * 2.2f + static_cast<float>(i) * 7, 0, 0}, 3, 60);
-      const float forest = i == 0 ? 0.030f : (i == 1 ? 0.012f : 0.004f);
-      const float top = d * (0.025f + 0.02f * static_cast<float>(i) + 0.045f * swell +
-                             forest * fractal_noise({x / d * 60, v * 4, 0}, 3, 61));
-      return Vec3(x, d + 0.25f * d * v, -0.06f * d + (top + 0.06f * d) * std::sin(v * 1.57f));
+    const float d = distances[i], layer = static_cast<float>(i);
+    const auto ridge = [d, layer](float u, float v) {
+      const float x = (2 * u - 1) * 1.3f, y = 1 + 0.3f * v;  // in units of the distance
+      const float swell = fractal_noise({x * 2.2f + layer * 7, y * 2.2f, 0}, 3, 60);
+      const float woods = (0.005f - 0.0014f * layer) * fractal_noise({x * 45, y * 45, layer}, 3, 61);
+      const float top = 0.085f + 0.02f * layer + 0.045f * swell + woods;
+      return Vec3(x * d, y * d, d * (-0.06f + top * std::sin(v * 1.57f)));
     };
-    scene.add(m.ridges[i], surface(400, 10, ridge));
+    scene.add(m.ridges[i], surface(360, 48, ridge));
   }
 }
 
@@ -141,15 +140,15 @@ void add_fence(SceneAssembler& scene, const Materials& m) {
 
 /// A board on two ropes from a level limb.
 void add_swing(SceneAssembler& scene, const Materials& m, const Vec3& foot) {
-  const Vec3 root = foot + Vec3(0.15f, -0.1f, 2.0f);
+  const Vec3 root = foot + Vec3(0.1f, -0.1f, 2.1f);
   const std::array limb{root, Vec3(root + Vec3(-1.0f, -0.35f, 0.55f)),
                         Vec3(root + Vec3(-2.0f, -0.75f, 0.72f)), Vec3(root + Vec3(-2.9f, -1.0f, 0.95f)),
                         Vec3(root + Vec3(-3.5f, -1.25f, 1.35f))};
   scene.add(m.bark, tube(limb, std::array{0.15f, 0.115f, 0.09f, 0.065f, 0.03f}, 12));
-  const Vec3 seat = root + Vec3(-2.2f, -0.82f, -1.75f);
+  const Vec3 seat = root + Vec3(-2.2f, -0.82f, -1.45f);
   for (const float side : {-0.24f, 0.24f}) {
     const Vec3 hang(side, -0.1f * side, 0);
-    scene.add(m.rope, rod(seat + hang, seat + hang + Vec3(0, 0, 2.5f), 0.012f, 0.012f, 5));
+    scene.add(m.rope, rod(seat + hang, seat + hang + Vec3(0, 0, 2.2f), 0.018f, 0.018f, 5));
   }
   scene.add(m.wood, placed(numbered(bevelled_box({0.58f, 0.2f, 0.035f}, 0.006f), 3), seat));
 }
@@ -176,7 +175,7 @@ Scene build_tree() {
   add_grass(scene, m);
   add_fence(scene, m);
   const Vec3 foot = kTreeFoot + Vec3(0, 0, terrain(kTreeFoot.x(), kTreeFoot.y()) - 0.08f);
-  const TreeMeshes tree = grow_tree(foot, {.bare_share = 0.3f, .leaves_per_twig = 9, .seed = 4});
+  const TreeMeshes tree = grow_tree(foot, {.bare_share = 0.38f, .leaves_per_twig = 6, .seed = 4});
   scene.add(m.bark, tree.branches);
   scene.add(m.leaves, tree.leaves);
   add_swing(scene, m, foot);
@@ -201,11 +200,11 @@ Scene build_tree() {
                    .fov_h_deg = 66};
   result.quick = {.columns = 5,
                   .rows = 3,
-                  .spacing_x_m = 0.25,
-                  .spacing_y_m = 0.2,
+                  .spacing_x_m = 0.32,
+                  .spacing_y_m = 0.24,
                   .width = 384,
                   .height = 216,
-                  .paths_per_pixel = 32};
+                  .paths_per_pixel = 16};
   result.paper = {.columns = 17,
                   .rows = 9,
                   .spacing_x_m = 0.12,

@@ -19,7 +19,7 @@ namespace plenolab {
 namespace {
 
 constexpr float kPi = static_cast<float>(EIGEN_PI);
-constexpr float kHalfWidth = 2.4f, kSpring = 1.9f;  // the vault springs from walls of this height
+constexpr float kHalfWidth = 2.4f, kSpring = 2.25f;  // the vault springs from walls of this height
 constexpr float kStart = -3, kEnd = 34;
 constexpr float kBrickLength = 0.3f, kBrickHeight = 0.1f;
 
@@ -73,20 +73,20 @@ Rgb lining_albedo(const SurfacePoint& point) {
 }
 
 float lining_roughness(const SurfacePoint& point) {
-  const float wet = smooth_step(0.72f, 0.35f, streaks(point.position_m));
+  const float wet = smooth_step(0.85f, 0.5f, streaks(point.position_m));
   const float joint = smooth_step(0.009f, 0.004f, brick_at(point.u, point.v).edge);
-  return 0.035f + 0.25f * (1 - wet) + 0.3f * joint;
+  return 0.02f + 0.25f * (1 - wet) + 0.3f * joint;
 }
 
 /// Water film over brick: each brick tilts a little and the film waves.
 Vec3 lining_normal(const SurfacePoint& point) {
   const Vec3& p = point.position_m;
   const Brick brick = brick_at(point.u, point.v);
-  const float tilt = 0.008f;
+  const float tilt = 0.004f;
   const Vec3 wave(gradient_noise(p * 5, 1), gradient_noise(p * 5, 2), gradient_noise(p * 5, 3));
   const Vec3 own(brick.tone - 0.5f, std::fmod(brick.tone * 7.3f, 1.f) - 0.5f,
                  std::fmod(brick.tone * 3.7f, 1.f) - 0.5f);
-  return (point.normal + 0.006f * wave + tilt * own).normalized();
+  return (point.normal + 0.004f * wave + tilt * own).normalized();
 }
 
 /// Depth of water on the floor in [0, 1]: puddles where the ground is low.
@@ -124,7 +124,7 @@ Materials make_materials(SceneAssembler& scene) {
   m.steel = scene.material(
       glossy(mottled({0.16f, 0.2f, 0.22f}, {0.24f, 0.15f, 0.08f}, 0.3f, -0.25f, 17), constant(0.25f), 1.5f));
   m.rust = scene.material(diffuse(mottled({0.26f, 0.12f, 0.06f}, {0.1f, 0.07f, 0.05f}, 0.15f, 0, 18)));
-  m.lamp = scene.material(lamp({10500, 8900, 6300}));
+  m.lamp = scene.material(lamp({15000, 12700, 9000}));
   m.housing = scene.material(diffuse(plain({0.06f, 0.065f, 0.065f})));
   m.cable = scene.material(diffuse(plain({0.035f, 0.035f, 0.04f})));
   m.grass = scene.material(diffuse(mottled({0.05f, 0.10f, 0.02f}, {0.13f, 0.15f, 0.05f}, 0.9f, 0, 19)));
@@ -179,16 +179,16 @@ void add_lamps(SceneAssembler& scene, const Materials& m) {
   for (float y = 5.3f; y < kEnd - 3; y += 5.25f, ++index) {
     for (const float side : {-1.f, 1.f}) {
       if (side > 0 && index == 2) continue;  // a lamp has failed
-      const Vec3 place(side * 1.72f, y, 3.25f);
+      const Vec3 place(side * 2.08f, y, 3.0f);
       const Eigen::Affine3f tilt = Eigen::Translation3f(place) *
-                                   Eigen::AngleAxisf(side * 0.75f, Vec3::UnitY()) *
+                                   Eigen::AngleAxisf(side * 1.05f, Vec3::UnitY()) *
                                    Eigen::Affine3f::Identity();
-      scene.add(m.lamp, placed(bevelled_box({0.13f, 1.25f, 0.06f}, 0.02f), tilt));
+      scene.add(m.lamp, placed(bevelled_box({0.18f, 1.3f, 0.06f}, 0.02f), tilt));
       scene.add(m.housing,
-                placed(placed(bevelled_box({0.24f, 1.4f, 0.05f}, 0.01f), Vec3(0, 0, 0.058f)), tilt));
+                placed(placed(bevelled_box({0.28f, 1.45f, 0.05f}, 0.01f), Vec3(0, 0, 0.058f)), tilt));
       for (const float end : {-0.5f, 0.5f}) {
         scene.add(m.cable,
-                  rod(place + Vec3(0, end, 0.05f), place + Vec3(side * 0.4f, end, 0.4f), 0.015f, 0.015f, 6));
+                  rod(place + Vec3(0, end, 0.05f), place + Vec3(side * 0.3f, end, 0.2f), 0.015f, 0.015f, 6));
       }
     }
   }
@@ -207,12 +207,12 @@ void add_services(SceneAssembler& scene, const Materials& m) {
     }
     scene.add(material, tube(path, radii, radius > 0.03f ? 24 : 8));
   };
-  pipe(m.steel, -2.18f, 2.35f, 0.1f);
-  pipe(m.rust, -2.25f, 2.08f, 0.045f);
-  for (int i = 0; i < 4; ++i) pipe(m.cable, 2.27f, 2.0f + 0.075f * static_cast<float>(i), 0.018f);
+  pipe(m.steel, -2.18f, 0.72f, 0.1f);
+  pipe(m.rust, -2.25f, 0.45f, 0.045f);
+  for (int i = 0; i < 4; ++i) pipe(m.cable, 2.27f, 0.45f + 0.075f * static_cast<float>(i), 0.018f);
   for (float y = 2.5f - 2.625f; y < kEnd; y += 2.625f) {
-    scene.add(m.rust, placed(bevelled_box({0.3f, 0.05f, 0.03f}, 0.005f), Vec3(-2.27f, y, 2.22f)));
-    scene.add(m.rust, placed(bevelled_box({0.04f, 0.05f, 0.36f}, 0.005f), Vec3(2.31f, y, 2.11f)));
+    scene.add(m.rust, placed(bevelled_box({0.3f, 0.05f, 0.03f}, 0.005f), Vec3(-2.27f, y, 0.59f)));
+    scene.add(m.rust, placed(bevelled_box({0.04f, 0.05f, 0.36f}, 0.005f), Vec3(2.31f, y, 0.56f)));
   }
 }
 
@@ -290,7 +290,7 @@ Scene build_tunnel() {
                   .spacing_y_m = 0.14,
                   .width = 384,
                   .height = 216,
-                  .paths_per_pixel = 32};
+                  .paths_per_pixel = 16};
   result.paper = {.columns = 17,
                   .rows = 9,
                   .spacing_x_m = 0.1,
