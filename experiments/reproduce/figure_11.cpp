@@ -5,6 +5,7 @@
 
 #include "core/image/colour.h"
 #include "core/lightfield/profile.h"
+#include "experiments/reproduce/figure_tools.h"
 #include "experiments/reproduce/reproduction.h"
 #include "metrics/error_map.h"
 
@@ -64,7 +65,7 @@ ReproductionResult reproduce_scene_overview(Laboratory& laboratory) {
     result.add_comparison(id,
                           {scene.title + ": " + scene.description,
                            "Middle key view of " + scene.title + " and its disparity",
-                           {{"Middle key view", expose(middle->colour, exposure_from(middle->colour))},
+                           {{"Middle key view", expose(middle->colour, figure_exposure(middle->colour))},
                             {"Disparity", false_colour(middle->disparity, measured.max_disparity_px)}}},
                           {middle->colour});
     table.rows.push_back(table_row(scene.title, grid, laboratory.paths_per_pixel(id), measured));

@@ -98,7 +98,7 @@ ReproductionResult reproduce_visible_pixels(Laboratory& laboratory) {
   const Place place =
       find_place(laboratory.synthesizer(kScene), candidates, laboratory.options().threads, hidden_somewhere);
   const NovelView<SceneReferred>& view = place.view;
-  const float exposure = exposure_from(view.image);
+  const float exposure = figure_exposure(view.image);
   const auto warped = warp_key_views(view, laboratory.light_field(kScene));
   const std::string title = laboratory.scene(kScene).title;
   ImageComparison shown{

@@ -81,7 +81,7 @@ double invented_share(const NovelView<SceneReferred>& view, const DisparityMap& 
 
 /// The thin pixels of the truth: white where a view shows them, red where it does not, over the dimmed truth.
 DisplayImage recall_map(const SceneImage& truth, const std::vector<ThinPixel>& thin, const Recall& recall) {
-  DisplayImage map = expose(truth, exposure_from(truth));
+  DisplayImage map = expose(truth, figure_exposure(truth));
   for (Rgb& c : map.pixels()) c = c * 0.5f;
   for (const ThinPixel& p : thin)
     map.at(p.x, p.y) = recall.lost.at(p.x, p.y) > 0 ? Rgb{1, 0.2f, 0.1f} : Rgb{1, 1, 1};

@@ -27,7 +27,7 @@ std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& fiel
 
 /// Error of the pixels whose surface every key view sees: it comes from appearance, not from geometry.
 Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth) {
-  Plane<float> error = smoothed_squared_difference(view.image, truth, exposure_from(truth));
+  Plane<float> error = smoothed_squared_difference(view.image, truth, figure_exposure(truth));
   for (std::size_t n = 0; n < error.size(); ++n)
     if (view.visible_views.pixels()[n] < view.views.size()) error.pixels()[n] = 0;
   return error;
@@ -68,7 +68,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   study.place.box = box;
   study.rms_disagreement = std::sqrt(mean_inside(study.place.effect, box));
   study.error_concentration =
-      concentration(smoothed_squared_difference(view.image, truth, exposure_from(truth)), box);
+      concentration(smoothed_squared_difference(view.image, truth, figure_exposure(truth)), box);
 
   const std::string what = laboratory.scene(options.scene).title + " from " + name_of(view.position);
   const Columns columns{{"scene", options.scene}, {"position", name_of(view.position)}};

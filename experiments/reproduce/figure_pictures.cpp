@@ -89,7 +89,7 @@ PictureNumbers add_pictures(ReproductionResult& result, const FigurePictures& pi
                             const Columns& columns, int threads) {
   PLENOLAB_CHECK(!pictures.synthesised.empty(), "no synthesised view");
   const SceneImage truth_inside = crop(*pictures.truth, pictures.box);
-  const auto whole = conditions_at(exposure_from(*pictures.truth), threads);
+  const auto whole = conditions_at(figure_exposure(*pictures.truth), threads);
   const auto inside = conditions_at(exposure_from(truth_inside), threads);
   PictureNumbers numbers;
   std::vector<SceneImage> radiance{*pictures.truth};
@@ -111,7 +111,7 @@ std::optional<MaskedNumbers> add_masked_rows(ReproductionResult& result, const S
   MaskedNumbers numbers;
   numbers.pixels = count_set(mask);
   if (numbers.pixels == 0) return std::nullopt;
-  ComparisonConditions conditions = conditions_at(exposure_from(truth), 0);
+  ComparisonConditions conditions = conditions_at(figure_exposure(truth), 0);
   conditions.valid = &mask;
   const auto measured = measure(
       test, truth, select_metrics(std::vector<std::string>{"psnr_gamma", "difference_gamma"}), conditions);

@@ -42,13 +42,13 @@ struct PictureNumbers {
 };
 
 /// Adds two comparisons: the whole views, and the box enlarged four times. The whole views are shown and
-/// measured at the exposure of the whole truth, the box at the exposure of the truth inside it (99th
-/// percentile of luminance to 1): the thesis adjusts brightness for print. Rows: psnr_gamma_db, ssim_gamma,
+/// measured at the figure_exposure of the truth, the box at the exposure that brings the 99th percentile of
+/// the truth inside it to 1. Rows: psnr_gamma_db, ssim_gamma,
 /// visible_share and exposure with the columns given, then view and region ("whole", "crop").
 PictureNumbers add_pictures(ReproductionResult& result, const FigurePictures& pictures,
                             const Columns& columns, int threads);
 
-/// Error of the pixels of a mask, at the exposure of the whole truth.
+/// Error of the pixels of a mask, at the exposure of the whole views.
 struct MaskedNumbers {
   std::size_t pixels = 0;
   double psnr_db = 0, visible_share = 0;

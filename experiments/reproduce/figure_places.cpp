@@ -87,7 +87,7 @@ Contributions contributions_to(const NovelView<SceneReferred>& view, const Light
   Contributions all;
   all.warped = warp_key_views(view, field);
   all.sets = contributors(all.warped, width, height);
-  all.deviations = deviations(all.warped, gamma_encode(exposure_from(view.image)), width, height);
+  all.deviations = deviations(all.warped, gamma_encode(figure_exposure(view.image)), width, height);
   for (Plane<float>& one : all.deviations) one = mean_within_set(one, all.sets);
   return all;
 }
@@ -189,6 +189,8 @@ Plane<float> unseen_beyond_frustum(const NovelView<SceneReferred>& view) {
     });
     effect.pixels()[n] = beyond && view.visible_views.pixels()[n] == 0 ? 1.0f : 0.0f;
   }
+  const Plane<float> share = box_mean(effect, 2);
+  for (std::size_t n = 0; n < effect.size(); ++n) effect.pixels()[n] *= share.pixels()[n];
   return effect;
 }
 

@@ -48,8 +48,8 @@ struct WarpedView {
 /// The key views that took part, in the order of view.views. The view needs its provenance.
 std::vector<WarpedView> warp_key_views(const NovelView<SceneReferred>& view, const LightField& field);
 
-/// 1 where no key view sees the surface and at least one looks past it because its image ends (rules 2 and 1
-/// failed together).
+/// Above 0 where no key view sees the surface and at least one looks past it because its image ends (rules 2
+/// and 1 failed together): the share of such pixels among the 5×5 around, so that areas count more than rims.
 Plane<float> unseen_beyond_frustum(const NovelView<SceneReferred>& view);
 
 /// 1 where the background was restored (rule 4).

@@ -29,7 +29,7 @@ float nearest_shown(const PixelProvenance& provenance) {
 }
 
 double painted_over_share(const NovelView<SceneReferred>& view, const KeyView<SceneReferred>& truth) {
-  const float exposure = exposure_from(truth.colour);
+  const float exposure = figure_exposure(truth.colour);
   const DisplayImage ours = expose(view.image, exposure), theirs = expose(truth.colour, exposure);
   int wrong = 0, painted_over = 0;
   for (std::size_t n = 0; n < ours.size(); ++n) {

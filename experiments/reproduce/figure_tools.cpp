@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/base/error.h"
+#include "core/base/quantile.h"
 #include "core/image/colour.h"
 
 namespace plenolab {
@@ -73,6 +75,16 @@ DisplayImage mark_box(DisplayImage image, const PixelBox& box, Rgb colour) {
 DisplayImage mark_row(DisplayImage image, int row, Rgb colour) {
   std::fill_n(image.row(row), image.width(), colour);
   return image;
+}
+
+float figure_exposure(const SceneImage& truth) {
+  std::vector<float> luminances;
+  for (const Rgb& c : truth.pixels())
+    if (const float y = luminance(c); std::isfinite(y) && y >= 0) luminances.push_back(y);
+  if (luminances.empty()) return 1;
+  std::sort(luminances.begin(), luminances.end());
+  const double bright = quantile_of_sorted(std::span<const float>(luminances), 0.95);
+  return bright > 0 ? static_cast<float>(1 / bright) : exposure_from(truth);
 }
 
 int crop_size(int width, int height) {
