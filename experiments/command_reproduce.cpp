@@ -45,11 +45,12 @@ ResultTable all_rows(const std::vector<FinishedReproduction>& finished) {
 }
 
 std::vector<FinishedReproduction> run_items(const std::vector<const Reproduction*>& items,
-                                            Laboratory& laboratory, const CommonOptions& common) {
-  ProgressBar bar("reproducing");
+                                            Laboratory& laboratory, ProgressBar& bar,
+                                            const CommonOptions& common) {
   return run_reproductions(items, laboratory, [&](const Reproduction& item, std::size_t index) {
-    bar.update(static_cast<double>(index) / static_cast<double>(items.size()));
+    bar.clear();
     tell(common, fmt::format("[{:2}/{}] {}", index + 1, items.size(), item.title));
+    bar.update(static_cast<double>(index) / static_cast<double>(items.size()));
   });
 }
 
@@ -70,12 +71,16 @@ void run_reproduce(const Invocation& invocation, const ReproduceOptions& options
   const auto items = select_reproductions(options.ids);
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["preset"] = options.preset;
+  ProgressBar bar("reproducing");
   Laboratory laboratory({.effort = effort_of(options.preset),
                          .cache = render_cache_folder(options.cache),
                          .seed = options.common.seed,
                          .threads = options.common.threads,
-                         .progress = {}});
-  const auto finished = run_items(items, laboratory, options.common);
+                         .on_view = [&bar](const RenderingTally& tally) {
+                           bar.remark(fmt::format("{} views rendered", tally.rendered));
+                         }});
+  const auto finished = run_items(items, laboratory, bar, options.common);
+  bar.clear();
   finish_provenance(provenance);
   write_everything(finished, laboratory, provenance, options.out);
   write_results(all_rows(finished), provenance, options.common);

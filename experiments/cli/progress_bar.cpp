@@ -13,24 +13,39 @@ ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), terminal_(::isatty(STDERR_FILENO) == 1), start_(Clock::now()) {}
 
 ProgressBar::~ProgressBar() {
+  clear();
+}
+
+void ProgressBar::clear() {
   if (drawn_) fmt::print(stderr, "\r\033[K");
+  drawn_ = false;
 }
 
 void ProgressBar::update(double share_done) {
+  share_done_ = std::clamp(share_done, 0.0, 1.0);
+  draw();
+}
+
+void ProgressBar::remark(const std::string& text) {
+  remark_ = text;
+  draw();
+}
+
+void ProgressBar::draw() {
   if (!terminal_) return;
   const auto now = Clock::now();
   if (drawn_ && now - last_draw_ < std::chrono::milliseconds(100)) return;
   last_draw_ = now;
   drawn_ = true;
-  const double share = std::clamp(share_done, 0.0, 1.0);
   const double elapsed_s = std::chrono::duration<double>(now - start_).count();
   constexpr int kWidth = 24;
-  const int filled = static_cast<int>(share * kWidth);
-  const std::string left =
-      share > 0.01 ? format_duration(elapsed_s * (1 - share) / share) + " left" : std::string("estimating");
-  fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}", label_,
-             std::string(static_cast<std::size_t>(filled), '#'),
-             std::string(static_cast<std::size_t>(kWidth - filled), '.'), share * 100, left);
+  const auto filled = static_cast<std::size_t>(share_done_ * kWidth);
+  const std::string left = share_done_ > 0.01
+                               ? format_duration(elapsed_s * (1 - share_done_) / share_done_) + " left"
+                               : std::string("estimating");
+  fmt::print(stderr, "\r\033[K{} [{}{}] {:3.0f} %  {}{}", label_, std::string(filled, '#'),
+             std::string(kWidth - filled, '.'), share_done_ * 100, left,
+             remark_.empty() ? "" : ", " + remark_);
   std::fflush(stderr);
 }
 

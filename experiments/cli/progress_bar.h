@@ -18,12 +18,19 @@ class ProgressBar {
 
   /// Shows the share done, at most ten times a second.
   void update(double share_done);
+  /// Redraws at the last share with a remark behind it, e.g. what was done last.
+  void remark(const std::string& text);
+  /// Removes the line, e.g. before something else is printed; a later update draws it again.
+  void clear();
   /// A callback for long work. The bar must outlive it.
   Progress callback();
 
  private:
   using Clock = std::chrono::steady_clock;
-  std::string label_;
+  void draw();
+
+  std::string label_, remark_;
+  double share_done_ = 0;
   bool terminal_;
   bool drawn_ = false;
   Clock::time_point start_;

@@ -83,6 +83,7 @@ KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, c
   ++(view.from_cache ? tally_.from_cache : tally_.rendered);
   tally_.seconds += view.rendered.stats.seconds;
   tally_.rays += view.rendered.stats.rays();
+  if (options_.on_view) options_.on_view(tally_);
   return std::move(view.rendered.view);
 }
 

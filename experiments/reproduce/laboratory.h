@@ -2,12 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/base/progress.h"
 #include "core/synthesis/synthesizer.h"
 #include "stimuli/render_cache.h"
 
@@ -23,19 +23,19 @@ enum class Effort {
 /// "tiny", "quick" or "paper".
 const char* name_of(Effort effort);
 
-struct LaboratoryOptions {
-  Effort effort = Effort::kQuick;
-  std::filesystem::path cache;  ///< folder of rendered views
-  std::uint64_t seed = 1;
-  int threads = 0;
-  Progress progress;  ///< share of the views announced so far that are there
-};
-
 /// How much rendering a run has caused.
 struct RenderingTally {
   int rendered = 0, from_cache = 0;
   double seconds = 0;
   std::uint64_t rays = 0;
+};
+
+struct LaboratoryOptions {
+  Effort effort = Effort::kQuick;
+  std::filesystem::path cache;  ///< folder of rendered views
+  std::uint64_t seed = 1;
+  int threads = 0;
+  std::function<void(const RenderingTally&)> on_view;  ///< called after each view; may be empty
 };
 
 /// What all reproductions of one run share: scenes, their light fields and ground truth, rendered once and
