@@ -5,7 +5,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 seconds=${1:-60}
-scripts/build.sh fuzz
+scripts/build.sh fuzz fuzzers
 findings=build/fuzz/findings
 mkdir -p "$findings"
 
