@@ -60,10 +60,8 @@ ReproductionResult reproduce_claim_g4(Laboratory& laboratory) {
   result.differs = fmt::format(
       "Geometry alone, without sampling and search, hides background from all four key views for {} of the "
       "convex and "
-      "{} of the concave placements; synthesis misses some for {} of the concave ones. What the two have "
-      "apart is due "
-      "to the search and to rule 2, which discards correspondences beside every depth edge.",
-      hidden_convex, hidden_concave, unseen_concave);
+      "{} of the concave placements; synthesis misses some for {} of the concave ones. {}",
+      hidden_convex, hidden_concave, unseen_concave, causes_text(mean_causes(concave)));
   add_study(result, convex, "convex");
   add_study(result, concave, "concave");
   auto all = convex;

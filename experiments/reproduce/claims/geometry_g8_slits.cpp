@@ -18,7 +18,7 @@ namespace {
 // Filling is worth claiming if it lowers the error at all: 1 is where it changes nothing.
 constexpr double kNoChange = 1;
 
-constexpr int kWidth = 128, kHeight = 96;
+constexpr int kWidth = 104, kHeight = 88;
 
 /// A plate with a random row of slits before a background, in a cell of four key views.
 struct PlateProbe {
@@ -185,7 +185,7 @@ std::string words_of(const std::vector<PlateErrors>& plates, const Interval& rat
 ReproductionResult reproduce_claim_g8(Laboratory& laboratory) {
   const std::uint64_t seed = laboratory.options().seed;
   const int threads = laboratory.options().threads;
-  const int plates = laboratory.options().effort == Effort::kTiny ? 2 : 24;
+  const int plates = laboratory.options().effort == Effort::kTiny ? 2 : 16;
   ReproductionResult result;
   std::vector<PlateErrors> uniform_background, structured_background;
   for (int i = 0; i < plates; ++i) {

@@ -16,13 +16,38 @@ PlotPoint bar(const Interval& share) {
   return {.y = 100 * share.estimate, .y_low = 100 * share.low, .y_high = 100 * share.high, .label = {}};
 }
 
-double mean_of(const OccluderStudy& study, double OccluderOutcome::*value) {
+double mean_geometry_px(const OccluderStudy& study) {
   double sum = 0;
-  for (const OccluderOutcome& outcome : study.outcomes) sum += outcome.*value;
+  for (const OccluderOutcome& outcome : study.outcomes) sum += outcome.geometry_px;
   return sum / static_cast<double>(study.outcomes.size());
 }
 
 }  // namespace
+
+UnseenCauses mean_causes(const std::vector<OccluderStudy>& studies) {
+  UnseenCauses sum;
+  double placements = 0;
+  for (const OccluderStudy& study : studies)
+    for (const OccluderOutcome& outcome : study.outcomes) {
+      sum.hidden += outcome.unseen_px.hidden;
+      sum.behind += outcome.unseen_px.behind;
+      sum.beside += outcome.unseen_px.beside;
+      placements += 1;
+    }
+  return {sum.hidden / placements, sum.behind / placements, sum.beside / placements};
+}
+
+std::string causes_text(const UnseenCauses& causes) {
+  if (causes.all() == 0) return "";
+  const double percent = 100 / causes.all();
+  return fmt::format(
+      "Of the unseen pixels {:.0f} % are truly hidden from all four key views; {:.0f} % are shown by a key "
+      "view, but the "
+      "path of the search meets the occluder's image before and ends there, though the ray passes behind it; "
+      "{:.0f} % lie "
+      "beside edges, where rule 2 discards what the key views show.",
+      percent * causes.hidden, percent * causes.behind, percent * causes.beside);
+}
 
 void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& studies,
                const std::string& set) {
@@ -36,8 +61,12 @@ void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& stu
         {"unseen_placement_share", static_cast<double>(study.unseen()) / placements, "1", columns});
     result.rows.add(
         {"hidden_placement_share", static_cast<double>(study.hidden()) / placements, "1", columns});
-    result.rows.add({"unseen_px_per_view", mean_of(study, &OccluderOutcome::unseen_px), "px", columns});
-    result.rows.add({"hidden_px_per_view", mean_of(study, &OccluderOutcome::geometry_px), "px", columns});
+    const UnseenCauses causes = mean_causes({study});
+    result.rows.add({"unseen_px_per_view", causes.all(), "px", columns});
+    result.rows.add({"unseen_hidden_px_per_view", causes.hidden, "px", columns});
+    result.rows.add({"unseen_behind_px_per_view", causes.behind, "px", columns});
+    result.rows.add({"unseen_beside_px_per_view", causes.beside, "px", columns});
+    result.rows.add({"hidden_px_per_view", mean_geometry_px(study), "px", columns});
   }
 }
 
@@ -66,7 +95,7 @@ void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>
   ShapeKind kind = ShapeKind::kDisc;
   for (const OccluderStudy& study : studies)
     for (std::size_t i = 0; i < study.outcomes.size(); ++i)
-      if (worst == nullptr || study.outcomes[i].unseen_px > worst->unseen_px)
+      if (worst == nullptr || study.outcomes[i].unseen_px.all() > worst->unseen_px.all())
         worst = &study.outcomes[i], placement = &study.placements[i], kind = study.kind;
   const FlatWorld world = world_of(*placement, true);
   const ViewGrid grid = occluder_grid();
@@ -80,7 +109,7 @@ void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>
       {fmt::format(
            "The placement with most unseen background ({:.0f} px beyond the rim, mean over the positions): "
            "{}, drawn with patterns, from ({:.2f}, {:.2f}) in the cell",
-           worst->unseen_px, name_of(kind), worst->worst.s, worst->worst.t),
+           worst->unseen_px.all(), name_of(kind), worst->worst.s, worst->worst.t),
        fmt::format("Truth, synthesised view and visibility map of a probe with the occluder {}",
                    name_of(kind)),
        {{"Ground truth", expose(truth, exposure)},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -50,6 +51,39 @@ bool is_shown(const FlatWorld& world, const ViewGrid& grid, CameraPosition posit
   return is_in_image(grid, qx, qy) && surface_at(world, corner, qx, qy) == surface;
 }
 
+/// Whether a nearer surface lies across the path of the search in the corner view, between the largest
+/// disparity and that of the surface at (x, y): there the search ends too early.
+bool is_path_blocked(const FlatWorld& world, CameraPosition position, double x, double y,
+                     CameraPosition corner) {
+  double largest = 0;
+  for (const FlatSurface& surface : world.surfaces) largest = std::max(largest, surface.disparity_px);
+  for (double d = largest; d > surface_at(world, position, x, y)->disparity_px; d -= 0.25) {
+    const double qx = x + (position.s - corner.s) * d, qy = y + (position.t - corner.t) * d;
+    if (surface_at(world, corner, qx, qy)->disparity_px > d) return true;
+  }
+  return false;
+}
+
+constexpr std::array kCorners{CameraPosition{0, 0}, CameraPosition{1, 0}, CameraPosition{0, 1},
+                              CameraPosition{1, 1}};
+
+UnseenCauses causes_of(const Mask& unseen, const FlatWorld& world, const ViewGrid& grid,
+                       CameraPosition position) {
+  UnseenCauses causes;
+  for (int y = 0; y < grid.height; ++y)
+    for (int x = 0; x < grid.width; ++x) {
+      if (unseen.at(x, y) == 0) continue;
+      bool shown = false, free = false;
+      for (const CameraPosition corner : kCorners) {
+        if (!is_shown(world, grid, position, x + 0.5, y + 0.5, corner)) continue;
+        shown = true;
+        free = free || !is_path_blocked(world, position, x + 0.5, y + 0.5, corner);
+      }
+      (!shown ? causes.hidden : !free ? causes.behind : causes.beside) += 1;
+    }
+  return causes;
+}
+
 }  // namespace
 
 Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position) {
@@ -57,7 +91,7 @@ Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPositio
   for (int y = 0; y < grid.height; ++y)
     for (int x = 0; x < grid.width; ++x) {
       bool shown = false;
-      for (const CameraPosition corner : {CameraPosition{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+      for (const CameraPosition corner : kCorners)
         shown = shown || is_shown(world, grid, position, x + 0.5, y + 0.5, corner);
       hidden.at(x, y) = shown ? 0 : 1;
     }
@@ -74,13 +108,16 @@ OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, in
   double most = -1;
   for (const CameraPosition position : positions_in_cell(seed)) {
     const auto view = synthesizer.synthesize(position, options);
-    const auto unseen = static_cast<double>(count_set(beyond_rim(where_zero(view.visible_views))));
+    const Mask unseen = beyond_rim(where_zero(view.visible_views));
+    const UnseenCauses causes = causes_of(unseen, world, grid, position);
     const auto hidden = static_cast<double>(count_set(beyond_rim(hidden_from_all(world, grid, position))));
-    outcome.unseen_px += unseen / kPositions;
+    outcome.unseen_px.hidden += causes.hidden / kPositions;
+    outcome.unseen_px.behind += causes.behind / kPositions;
+    outcome.unseen_px.beside += causes.beside / kPositions;
     outcome.geometry_px += hidden / kPositions;
-    outcome.unseen = outcome.unseen || unseen > 0;
+    outcome.unseen = outcome.unseen || causes.all() > 0;
     outcome.hidden = outcome.hidden || hidden > 0;
-    if (unseen > most) most = unseen, outcome.worst = position;
+    if (causes.all() > most) most = causes.all(), outcome.worst = position;
   }
   return outcome;
 }

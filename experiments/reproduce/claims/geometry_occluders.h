@@ -13,9 +13,12 @@ namespace plenolab {
 /// Random flat occluders before a flat background, seen by the four key views of one cell: which of them
 /// leave background that no key view has seen? (Thesis, section 4.1.5.) Only visibility matters, so surfaces
 /// are plain.
+///
+/// Occluders are larger than what they move by against the background from one key view to the next: past a
+/// smaller one, opposite key views see everything, and no claim about unseen points would be put to the test.
 
 /// Image size of these probes.
-inline constexpr int kOccluderWidth = 96, kOccluderHeight = 72;
+inline constexpr int kOccluderWidth = 128, kOccluderHeight = 96;
 
 /// One or two occluders and what lies behind them.
 struct OccluderPlacement {
@@ -29,11 +32,12 @@ ViewGrid occluder_grid();
 
 /// A single occluder that lies in all four frustums together with everything it hides.
 OccluderPlacement place_inside(ShapeKind kind, RandomStream& random);
-/// Two occluders of one kind side by side, all in the four frustums; 2 to 8 px lie between them as the middle
-/// of the cell sees it.
+/// Two occluders of one kind side by side, all in the four frustums; 2 to 6 px lie between them as the middle
+/// of the cell sees it, about as much as they move by against the background from there to a key view.
 OccluderPlacement place_pair(ShapeKind kind, RandomStream& random);
-/// A single occluder that the border of at least one key view cuts, before a background that is not
-/// infinitely far away, so that the frustums differ there.
+/// A single occluder of which the key views on one side see a part at the border of their image, and the
+/// opposite ones nothing, before a background that is not infinitely far away, so that the frustums differ
+/// there. Of the bars, a beam along the border and longer than the image, as in figure 31.
 OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random);
 
 /// The placement as a world. `textured`: patterns instead of plain colours, for pictures.
@@ -43,9 +47,18 @@ FlatWorld world_of(const OccluderPlacement& placement, bool textured);
 /// views: geometry alone, without sampling or search.
 Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position);
 
+/// Why pixels beyond the rim are unseen in synthesis; numbers of pixels.
+struct UnseenCauses {
+  double hidden = 0;  ///< the surface is hidden from, or outside of, all four key views
+  double behind = 0;  ///< every key view that shows it shows an occluder across the path of the search before
+                      ///< it: the search ends there, though the ray passes behind
+  double beside = 0;  ///< a key view shows it on a free path: lost beside an edge (rules 2 and 3, sampling)
+  double all() const { return hidden + behind + beside; }
+};
+
 /// What synthesis and geometry say about one placement.
 struct OccluderOutcome {
-  double unseen_px = 0;    ///< beyond the rim, mean over the positions: no key view sees the surface
+  UnseenCauses unseen_px;  ///< mean over the positions
   double geometry_px = 0;  ///< beyond the rim, mean over the positions: truly hidden from all key views
   bool unseen = false;     ///< at any position some pixel beyond the rim was unseen
   bool hidden = false;     ///< at any position some pixel beyond the rim was truly hidden
@@ -74,6 +87,11 @@ int placements_per_kind(const Laboratory& laboratory);
 
 /// Share of placements with unseen background over several kinds, with its interval.
 Interval unseen_share(const std::vector<OccluderStudy>& studies);
+
+/// Mean over all placements.
+UnseenCauses mean_causes(const std::vector<OccluderStudy>& studies);
+/// "12 % of … are truly hidden, …" for the causes; empty where nothing is unseen.
+std::string causes_text(const UnseenCauses& causes);
 
 /// Rows of a study (columns occluders, kind), and a bar chart of the share of placements with unseen
 /// background by kind beside the share that geometry predicts.

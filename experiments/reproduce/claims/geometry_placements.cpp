@@ -8,11 +8,12 @@ namespace plenolab {
 
 namespace {
 
-// Sizes and disparities of the placements, in pixels: occluders much larger than a pixel, displaced between
-// neighbouring key views by about their own size, as near objects of the scenes are.
-constexpr double kRadiusLow = 8, kRadiusHigh = 14;
-constexpr double kDisparityLow = 8, kDisparityHigh = 18;
+// Sizes and disparities of the placements, in pixels. Radii exceed the largest displacement against the
+// background.
+constexpr double kRadiusLow = 14, kRadiusHigh = 20;
+constexpr double kDisparityLow = 8, kDisparityHigh = 14;
 constexpr double kBackgroundHigh = 3;
+constexpr double kBeamRadius = 80;
 
 }  // namespace
 
@@ -37,10 +38,12 @@ OccluderPlacement place_inside(ShapeKind kind, RandomStream& random) {
 
 OccluderPlacement place_pair(ShapeKind kind, RandomStream& random) {
   OccluderPlacement placement;
-  // Smaller than single ones, so that two of them stay in all four frustums.
-  Shape a = random_shape(kind, 7, 10, random), b = random_shape(kind, 7, 10, random);
-  const double direction = uniform(random, 0, 2 * std::numbers::pi);
-  const double gap = uniform(random, 2, 8);
+  // Not larger, so that two of them stay in all four frustums.
+  Shape a = random_shape(kind, kRadiusLow, 16, random), b = random_shape(kind, kRadiusLow, 16, random);
+  // Side by side along a row: the image is wider than high. Where they stand one above the other, the same
+  // happens.
+  const double direction = uniform(random, -0.3, 0.3);
+  const double gap = uniform(random, 2, 6);
   const double distance = reach(a, direction) + gap + reach(b, direction + std::numbers::pi);
   const double dx = distance / 2 * std::cos(direction), dy = distance / 2 * std::sin(direction);
   a.x = kOccluderWidth / 2.0 - dx, a.y = kOccluderHeight / 2.0 - dy;
@@ -54,18 +57,27 @@ OccluderPlacement place_pair(ShapeKind kind, RandomStream& random) {
 
 OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random) {
   OccluderPlacement placement;
-  Shape shape = random_shape(kind, kRadiusLow, kRadiusHigh, random);
   const double disparity = uniform(random, kDisparityLow, kDisparityHigh);
-  placement.background_px = uniform(random, 2, 6);
-  // Where the centre lies behind the border as a key view on that side sees it: the border cuts the shape.
-  const double behind = uniform(random, -0.8, 0.8) * shape.radius_px;
-  const double side = random.next_double() < 0.5 ? -1 : 1;
-  const double inwards = side * disparity / 2 - behind;
-  const std::uint64_t border = random.next_u64() % 4;
+  placement.background_px = uniform(random, 3, 6);
+  // Directions into the image from the left, right, upper and lower border.
+  const auto border = static_cast<int>(random.next_u64() % 4);
+  const bool upright = border < 2, low = border % 2 == 0;
+  const double inwards = (upright ? 0 : std::numbers::pi / 2) + (low ? 0 : std::numbers::pi);
+  Shape shape = random_shape(kind, kRadiusLow, kRadiusHigh, random);
+  if (kind == ShapeKind::kBar) {
+    // A beam along the border, longer than the image.
+    shape.radius_px = kBeamRadius;
+    shape.angle = inwards + std::numbers::pi / 2 + uniform(random, -0.1, 0.1);
+  }
+  // How far it reaches into the image, as the middle of the cell sees it: half a disparity more as the key
+  // views on this side see it, half a disparity less, that is not at all, as the others do.
+  const double edge = uniform(random, -0.5, 0.5) * disparity;
+  const double centre = edge - reach(shape, inwards);
   const double along = uniform(random, 0.3, 0.7);
-  const bool upright = border < 2;
-  shape.x = upright ? (border == 0 ? inwards : kOccluderWidth - inwards) : along * kOccluderWidth;
-  shape.y = upright ? along * kOccluderHeight : (border == 2 ? inwards : kOccluderHeight - inwards);
+  const double size = upright ? kOccluderWidth : kOccluderHeight;
+  const double across = low ? centre : size - centre;
+  shape.x = upright ? across : along * kOccluderWidth;
+  shape.y = upright ? along * kOccluderHeight : across;
   placement.shapes = {shape};
   placement.disparities_px = {disparity};
   return placement;

@@ -1,0 +1,171 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "core/image/colour.h"
+#include "core/synthesis/synthesizer.h"
+#include "experiments/reproduce/claims/geometry_measure.h"
+#include "experiments/reproduce/claims/geometry_occluders.h"
+#include "experiments/reproduce/figure_tools.h"
+#include "stimuli/scenes/modelling/textures.h"
+
+namespace plenolab {
+namespace {
+
+FlatSurface plain_surface(double disparity_px, float value) {
+  return {disparity_px, {}, [value](double, double) { return Rgb{value, value, value}; }};
+}
+
+Mask rectangle_mask(int width, int height, int x, int y, int w, int h) {
+  Mask mask(width, height);
+  for (int j = y; j < y + h; ++j)
+    for (int i = x; i < x + w; ++i) mask.at(i, j) = 1;
+  return mask;
+}
+
+OccluderPlacement facing_squares(double gap_px, double disparity_px) {
+  Shape left{.kind = ShapeKind::kSquare, .y = kOccluderHeight / 2.0, .radius_px = 15};
+  Shape right = left;
+  const double half = reach(left, 0) + gap_px / 2;
+  left.x = kOccluderWidth / 2.0 - half;
+  right.x = kOccluderWidth / 2.0 + half;
+  return {{left, right}, {disparity_px, disparity_px}, 0};
+}
+
+TEST(Probes, AFlatSurfaceMovesAgainstTheCameraByItsDisparity) {
+  FlatSurface square = plain_surface(6, 1);
+  square.covers = [](double x, double y) { return x >= 8 && x < 12 && y >= 4 && y < 8; };
+  FlatWorld world;
+  world.origin = {0, 0};
+  world.surfaces = {plain_surface(0, 0.25f), square};
+  const KeyView<SceneReferred> view = flat_view(world, probe_grid(2, 2, 0.1, 24, 16), {1, 0});
+  for (int y = 0; y < 16; ++y)
+    for (int x = 0; x < 24; ++x) {
+      const bool on_square = x >= 2 && x < 6 && y >= 4 && y < 8;
+      EXPECT_FLOAT_EQ(view.colour.at(x, y).g, on_square ? 1 : 0.25f) << x << ' ' << y;
+      EXPECT_FLOAT_EQ(view.disparity.at(x, y), on_square ? 6 : 0) << x << ' ' << y;
+    }
+}
+
+TEST(Probes, SynthesisReproducesAFlatWorldWithoutOccluders) {
+  FlatWorld world;
+  world.surfaces = {{5, {}, flat_pattern(6, 3)}};
+  const ViewGrid grid = probe_grid(2, 2, 0.1, 48, 36);
+  const auto view = synthesize(flat_light_field(world, grid, "plane"), {0.3, 0.6});
+  const SceneImage truth = flat_view(world, grid, {0.3, 0.6}).colour;
+  ErrorSum sum;
+  for (const float square : squared_error(view.image, truth, 1).pixels())
+    sum.add(static_cast<double>(square));
+  EXPECT_LT(sum.rms(), 0.02);
+}
+
+TEST(Probes, SealingTellsScenesApartByGeometryAndTexture) {
+  const auto sealed = [](float albedo, float size) {
+    Scene scene = empty_probe("probe-test");
+    add_surface(scene, {.albedo = plain({albedo, albedo, albedo})}, card({0, 2, 0}, size, 1));
+    seal(scene);
+    return scene.variant;
+  };
+  EXPECT_EQ(sealed(0.5f, 1), sealed(0.5f, 1));
+  EXPECT_NE(sealed(0.5f, 1), sealed(0.6f, 1));
+  EXPECT_NE(sealed(0.5f, 1), sealed(0.5f, 1.5f));
+}
+
+TEST(Probes, ABlockIsClosedAndItsFacesLookOutwards) {
+  const Mesh mesh = block({1, 2, 3}, {2, 4, 6});
+  double volume = 0;
+  for (const auto& t : mesh.triangles) {
+    const Vec3 a = mesh.positions_m[t[0]], b = mesh.positions_m[t[1]], c = mesh.positions_m[t[2]];
+    EXPECT_GT((b - a).cross(c - a).dot(mesh.normals[t[0]]), 0);
+    volume += static_cast<double>(a.dot(b.cross(c))) / 6;
+  }
+  EXPECT_NEAR(volume, 48, 1e-3);
+}
+
+TEST(GeometryMeasures, AStripOfTwoPixelsIsRimAndABlockOfThreeIsNot) {
+  EXPECT_EQ(count_set(beyond_rim(rectangle_mask(12, 12, 1, 4, 10, 2))), 0u);
+  EXPECT_EQ(count_set(beyond_rim(rectangle_mask(12, 12, 9, 9, 3, 3))), 9u);
+}
+
+TEST(GeometryMeasures, RegionsThatTouchByCornersAreOne) {
+  Mask mask = rectangle_mask(8, 8, 0, 0, 2, 2);
+  mask.at(2, 2) = 1;
+  mask.at(7, 7) = 1;
+  const auto regions = regions_of(mask);
+  ASSERT_EQ(regions.size(), 2u);
+  EXPECT_EQ(regions[0].size(), 5u);
+  EXPECT_EQ(regions[1].size(), 1u);
+}
+
+TEST(GeometryMeasures, TheWilsonIntervalOfAShareHasPublishedValues) {
+  const Interval half = share_interval(5, 10);
+  EXPECT_NEAR(half.low, 0.2366, 1e-4);
+  EXPECT_NEAR(half.high, 0.7634, 1e-4);
+  const Interval none = share_interval(0, 96);
+  EXPECT_EQ(none.low, 0);
+  EXPECT_NEAR(none.high, 3.8415 / (96 + 3.8415), 1e-4);
+  EXPECT_EQ(share_interval(7, 7).high, 1);
+}
+
+TEST(GeometryShapes, ReachIsTheSupportFunctionOfTheSilhouette) {
+  const Shape square{.kind = ShapeKind::kSquare, .x = 3, .y = 4, .radius_px = 10};
+  EXPECT_NEAR(reach(square, 0), 7.07, 0.2);
+  EXPECT_NEAR(reach(square, std::numbers::pi / 4), 10, 0.2);
+}
+
+TEST(GeometryShapes, ConvexShapesContainTheMiddleOfAnyTwoOfTheirPoints) {
+  for (const ShapeKind kind : convex_shapes()) {
+    RandomStream random(1, 2, static_cast<std::uint64_t>(kind));
+    const Shape shape = random_shape(kind, 10, 20, random);
+    std::vector<std::array<double, 2>> inside;
+    while (inside.size() < 60) {
+      const double x = uniform(random, -20, 20), y = uniform(random, -20, 20);
+      if (shape.covers(x, y)) inside.push_back({x, y});
+    }
+    for (const auto& p : inside)
+      for (const auto& q : inside)
+        EXPECT_TRUE(shape.covers((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)) << name_of(kind);
+  }
+}
+
+TEST(GeometryOccluders, ASingleConvexOccluderHidesNothingFromAllKeyViews) {
+  for (const ShapeKind kind : convex_shapes())
+    for (std::uint64_t i = 0; i < 3; ++i) {
+      RandomStream random(5, 6, i);
+      const FlatWorld world = world_of(place_inside(kind, random), false);
+      EXPECT_EQ(count_set(hidden_from_all(world, occluder_grid(), {0.4, 0.6})), 0u) << name_of(kind);
+    }
+}
+
+TEST(GeometryOccluders, BackgroundBetweenTwoSquaresIsHiddenWhereTheGapIsNarrow) {
+  const auto hidden = [](double gap_px) {
+    return count_set(beyond_rim(
+        hidden_from_all(world_of(facing_squares(gap_px, 12), false), occluder_grid(), {0.5, 0.5})));
+  };
+  EXPECT_GT(hidden(4), 20u);
+  EXPECT_EQ(hidden(24), 0u);  // wider than the displacement between key views: some key view looks through
+}
+
+TEST(GeometryOccluders, SynthesisMissesWhatGeometryHides) {
+  const OccluderOutcome outcome = judge(facing_squares(4, 12), 1, 1);
+  EXPECT_TRUE(outcome.unseen);
+  EXPECT_GT(outcome.unseen_px.hidden, 5);
+}
+
+TEST(GeometryClaims, EveryClaimOnProbesIsDecidedOnFiniteNumbersInATinyRun) {
+  Laboratory laboratory({.effort = Effort::kTiny, .cache = {}, .seed = 1, .threads = 1, .progress = {}});
+  for (const Reproduction* item : select_reproductions(
+           {"altmeier-claim-g3", "altmeier-claim-g5", "altmeier-claim-g7", "altmeier-claim-g8"})) {
+    const ReproductionResult result = item->run(laboratory);
+    EXPECT_FALSE(result.rows.empty()) << item->id;
+    ASSERT_FALSE(result.ledger.empty()) << item->id;
+    for (const LedgerEntry& entry : result.ledger) {
+      EXPECT_TRUE(std::isfinite(entry.verdict.number)) << item->id;
+      EXPECT_FALSE(entry.verdict.explanation.empty()) << item->id;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace plenolab
