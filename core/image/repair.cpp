@@ -16,6 +16,8 @@ void count(float v, PixelRepairs& repairs) {
     ++repairs.positive_infinity;
 }
 
+}  // namespace
+
 float largest_finite(const SceneImage& image) {
   float largest = 0;
   for (const Rgb& c : image.pixels())
@@ -24,12 +26,10 @@ float largest_finite(const SceneImage& image) {
   return largest;
 }
 
-float repaired(float v, float largest) {
+float repaired_value(float v, float largest) {
   if (std::isnan(v) || v < 0) return 0;
   return std::isinf(v) ? largest : v;
 }
-
-}  // namespace
 
 PixelRepairs count_defects(const SceneImage& image) {
   PixelRepairs repairs;
@@ -42,7 +42,8 @@ PixelRepairs repair(SceneImage& image) {
   const PixelRepairs repairs = count_defects(image);
   if (repairs.total() == 0) return repairs;
   const float largest = largest_finite(image);
-  for (Rgb& c : image.pixels()) c = {repaired(c.r, largest), repaired(c.g, largest), repaired(c.b, largest)};
+  for (Rgb& c : image.pixels())
+    c = {repaired_value(c.r, largest), repaired_value(c.g, largest), repaired_value(c.b, largest)};
   return repairs;
 }
 

@@ -15,6 +15,12 @@ struct PixelRepairs {
   friend bool operator==(const PixelRepairs&, const PixelRepairs&) = default;
 };
 
+/// Largest finite channel value of an image; 0 if none is positive. What +Inf becomes.
+float largest_finite(const SceneImage& image);
+
+/// One channel value after repair: 0 for NaN and negative ones, `largest` for +Inf, else itself.
+float repaired_value(float value, float largest);
+
 /// Counts what `repair` would replace.
 PixelRepairs count_defects(const SceneImage& image);
 

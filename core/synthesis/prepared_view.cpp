@@ -4,19 +4,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
+#include "core/image/repair.h"
 
 namespace plenolab {
 namespace {
 
 constexpr int kRowsPerTask = 16;
 
-float repaired_radiance(float v) {
-  return std::isfinite(v) && v > 0 ? v : 0.0f;
-}
 float repaired_code(float v) {
   return std::isfinite(v) ? v : 0.0f;
 }
@@ -33,7 +32,7 @@ std::size_t prepare_row(const KeyView<Referral>& view, int y, PreparedView& out)
   std::size_t repaired = 0;
   float* padded = out.disparity.row(y + PreparedView::kPaddingRows) + PreparedView::kPadding;
   for (int x = 0; x < out.width; ++x) {
-    const Rgb colour = view.colour.at(x, y), safe = repaired_colour(colour, Referral{});
+    const Rgb colour = view.colour.at(x, y), safe = repaired_colour(colour, out.largest_finite, Referral{});
     repaired += static_cast<std::size_t>(colour.r != safe.r) + static_cast<std::size_t>(colour.g != safe.g) +
                 static_cast<std::size_t>(colour.b != safe.b);
     const float disparity = view.disparity.at(x, y);
@@ -113,6 +112,7 @@ PreparedView prepare(const KeyView<Referral>& view, int threads) {
   PreparedView out;
   out.width = view.colour.width();
   out.height = view.colour.height();
+  if constexpr (std::is_same_v<Referral, SceneReferred>) out.largest_finite = largest_finite(view.colour);
   out.pixels = Plane<ColourDisparity>(out.width, out.height);
   out.disparity =
       Plane<float>(out.width + 2 * PreparedView::kPadding, out.height + 2 * PreparedView::kPaddingRows);
@@ -128,11 +128,11 @@ PreparedView prepare(const KeyView<Referral>& view, int threads) {
 
 }  // namespace
 
-Rgb repaired_colour(Rgb c, SceneReferred) {
-  return {repaired_radiance(c.r), repaired_radiance(c.g), repaired_radiance(c.b)};
+Rgb repaired_colour(Rgb c, float largest, SceneReferred) {
+  return {repaired_value(c.r, largest), repaired_value(c.g, largest), repaired_value(c.b, largest)};
 }
 
-Rgb repaired_colour(Rgb c, DisplayReferred) {
+Rgb repaired_colour(Rgb c, float, DisplayReferred) {
   return {repaired_code(c.r), repaired_code(c.g), repaired_code(c.b)};
 }
 

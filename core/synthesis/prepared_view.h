@@ -22,9 +22,8 @@ struct DisparityRange {
 /// A key view in the form that synthesis reads. It needs about 20 bytes a pixel; the key
 /// view itself need not be kept.
 /// - Scene-referred colour is max(C, 0)^(1/2.2), unclipped; display-referred colour is taken as it is.
-/// - Non-finite or (scene-referred) negative colour values, and non-finite or negative disparities, count as
-/// 0; how many
-///   were replaced is in `repaired_values`.
+/// - Radiance is repaired as in core/image/repair.h; non-finite code values and non-finite or negative
+///   disparities count as 0. How many were replaced is in `repaired_values`.
 struct PreparedView {
   static constexpr int kPadding = 20;     ///< columns of edge pixels repeated at either side of `disparity`
   static constexpr int kPaddingRows = 2;  ///< rows of edge pixels repeated above and below
@@ -35,6 +34,7 @@ struct PreparedView {
   Plane<float> disparity;        ///< with its edge repeated: pixel (x, y) at (x + kPadding, y + kPaddingRows)
   Plane<DisparityRange> blocks;  ///< over the 9 × 9 pixels of each 8 × 8 block of quads
   float min_disparity = 0, max_disparity = 0;
+  float largest_finite = 0;  ///< largest finite radiance, which +Inf counts as
   float max_quad_range = 0;  ///< largest max − min over all 2 × 2 pixels: no depth edge above it
   std::size_t repaired_values = 0;
 
@@ -47,9 +47,10 @@ struct PreparedView {
 PreparedView prepare_view(const KeyView<SceneReferred>& view, int threads = 0);
 PreparedView prepare_view(const KeyView<DisplayReferred>& view, int threads = 0);
 
-/// The colour a prepared view stands for, before encoding: non-finite or negative radiance counts as 0.
-Rgb repaired_colour(Rgb colour, SceneReferred);
+/// The colour a prepared view stands for, before encoding, repaired as in core/image/repair.h; `largest` is
+/// the view's largest_finite.
+Rgb repaired_colour(Rgb colour, float largest, SceneReferred);
 /// The same for code values: non-finite ones count as 0.
-Rgb repaired_colour(Rgb colour, DisplayReferred);
+Rgb repaired_colour(Rgb colour, float largest, DisplayReferred);
 
 }  // namespace plenolab

@@ -157,11 +157,12 @@ class Run {
     const EpipolarPath& path = paths_.front();
     const PathSample offset = path.samples.front();
     if (!path.is_key_view() || offset.fx != 0 || offset.fy != 0) return;
+    const float largest = input_.prepared.front()->largest_finite;
     for (int y = 0; y < height(); ++y)
       for (int x = 0; x < width(); ++x) {
         const int i = x + offset.ox, j = y + offset.oy;
         if (i < 0 || i >= width() || j < 0 || j >= height()) continue;
-        out_.image.at(x, y) = repaired_colour(input_.exact->colour.at(i, j), Referral{});
+        out_.image.at(x, y) = repaired_colour(input_.exact->colour.at(i, j), largest, Referral{});
       }
   }
 

@@ -166,7 +166,7 @@ TEST(Synthesis, KeepsConstantRadianceFromTheSmallestToTheLargest) {
   }
 }
 
-TEST(Synthesis, CountsNonFiniteValuesAsZeroAndSaysHowMany) {
+TEST(Synthesis, RepairsNonFiniteAndNegativeValuesAndSaysHowMany) {
   auto broken = field_of(grid_of(2, 2, 20, 10), [](int c, int r, int x, int y) {
     Rgb colour{1, 1, 1};
     if (x == 3 && y == 4) colour = {std::nanf(""), INFINITY, -1};
@@ -177,6 +177,8 @@ TEST(Synthesis, CountsNonFiniteValuesAsZeroAndSaysHowMany) {
     expect_finite(view.image);
     EXPECT_EQ(view.repaired_values, 3 * view.views.size());
   }
+  EXPECT_EQ(synthesize(broken, {0, 0}).image.at(3, 4), (Rgb{0, 1, 0}))
+      << "+Inf counts as the largest value there is";
 }
 
 TEST(Synthesis, RefusesAPositionOutsideTheGridAndNamesIt) {
