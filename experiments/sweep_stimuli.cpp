@@ -47,7 +47,7 @@ std::vector<SweepStimulus> stimuli_from_scene(const std::string& scene_id,
   settings.seed = options.seed;
   settings.threads = options.threads;
   std::vector<SweepStimulus> stimuli;
-  for (const int divisor : {1, 2, 4})
+  for (const int divisor : options.divisors)
     stimuli.push_back(
         stimulus_at_width(scene, grid, std::max(8, full_width / divisor), settings, options.cache));
   return stimuli;

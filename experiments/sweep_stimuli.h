@@ -14,8 +14,9 @@ struct SceneStimulusOptions {
   std::filesystem::path cache;
   std::uint64_t seed = 1;
   int threads = 0;
-  int width = 0;            ///< of the largest image; 0 = the scene's quick preset
-  int paths_per_pixel = 0;  ///< 0 = the scene's quick preset
+  int width = 0;                       ///< of the largest image; 0 = the scene's quick preset
+  int paths_per_pixel = 0;             ///< 0 = the scene's quick preset
+  std::vector<int> divisors{1, 2, 4};  ///< of the width: one stimulus each
 };
 
 /// The middle cell of a scene's quick grid (2×2 key views) with rendered truth at three positions inside, at

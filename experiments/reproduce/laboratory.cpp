@@ -29,6 +29,16 @@ const char* name_of(Effort effort) {
   return "";
 }
 
+std::vector<CameraPosition> scored_positions(const ViewGrid& grid) {
+  const double s = std::max(0, (grid.columns - 2) / 2), t = std::max(0, (grid.rows - 2) / 2);
+  std::vector<CameraPosition> positions;
+  for (const CameraPosition offset : {CameraPosition{0.5, 0.5}, {0.5, 0.0}, {0.25, 0.6}}) {
+    const CameraPosition position{s + offset.s, t + offset.t};
+    if (grid.contains(position)) positions.push_back(position);
+  }
+  return positions;
+}
+
 Laboratory::Laboratory(LaboratoryOptions options) : options_(std::move(options)) {}
 Laboratory::~Laboratory() = default;
 

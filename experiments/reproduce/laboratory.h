@@ -38,6 +38,10 @@ struct LaboratoryOptions {
   std::function<void(const RenderingTally&)> on_view;  ///< called after each view; may be empty
 };
 
+/// Positions at which every scene is scored, so that their ground truth is rendered once: in the middle cell,
+/// its centre, the middle of its upper edge, and a place off every line of symmetry. Those that the grid has.
+std::vector<CameraPosition> scored_positions(const ViewGrid& grid);
+
 /// What all reproductions of one run share: scenes, their light fields and ground truth, rendered once and
 /// cached.
 class Laboratory {

@@ -16,18 +16,6 @@ ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
 
 namespace {
 
-/// Positions spread over the middle of the grid: centre of a cell, on a grid line, and off every symmetry
-/// line.
-std::vector<CameraPosition> scored_positions(const ViewGrid& grid) {
-  const double s = std::max(0, (grid.columns - 2) / 2), t = std::max(0, (grid.rows - 2) / 2);
-  std::vector<CameraPosition> positions;
-  for (const CameraPosition offset : {CameraPosition{0.5, 0.5}, {0.5, 0.0}, {0.25, 0.6}}) {
-    const CameraPosition position{s + offset.s, t + offset.t};
-    if (grid.contains(position)) positions.push_back(position);
-  }
-  return positions;
-}
-
 struct SceneScore {
   std::vector<double> psnr_gamma_db, ssim, seconds;
 };

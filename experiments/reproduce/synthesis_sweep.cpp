@@ -17,6 +17,23 @@ namespace {
 /// A scene with a structured interior and one with fine structures.
 constexpr const char* kSweptScenes[] = {"cellar", "tree"};
 
+/// The scene as recorded in this run, and its middle cell at a half and a quarter of the width.
+std::vector<SweepStimulus> stimuli_of(Laboratory& laboratory, const std::string& scene) {
+  const ViewGrid grid = laboratory.grid(scene);
+  std::vector<SweepStimulus> stimuli{
+      {scene, laboratory.light_field(scene), scored_positions(grid),
+       [&laboratory, scene](CameraPosition position) { return laboratory.truth(scene, position).colour; }}};
+  for (SweepStimulus& smaller :
+       stimuli_from_scene(scene, {.cache = laboratory.options().cache,
+                                 .seed = laboratory.options().seed,
+                                 .threads = laboratory.options().threads,
+                                 .width = grid.width,
+                                 .paths_per_pixel = laboratory.paths_per_pixel(scene),
+                                 .divisors = {2, 4}}))
+    stimuli.push_back(std::move(smaller));
+  return stimuli;
+}
+
 double value_at(const ResultTable& rows, const std::string& quantity, const Columns& wanted) {
   for (const ResultRow& row : rows.rows())
     if (row.quantity == quantity && row.columns == wanted) return row.value;
@@ -44,18 +61,13 @@ std::string key_view_sentence(const std::vector<double>& losses_db) {
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory) {
   ReproductionResult result;
   const bool tiny = laboratory.options().effort == Effort::kTiny;
-  SceneStimulusOptions stimulus_options{.cache = laboratory.options().cache,
-                                        .seed = laboratory.options().seed,
-                                        .threads = laboratory.options().threads,
-                                        .width = tiny ? 96 : 0,
-                                        .paths_per_pixel = tiny ? 16 : 0};
   SynthesisSweepOptions sweep;
   sweep.runs = tiny ? 1 : 3;
   sweep.threads = laboratory.options().threads;
   double ratio = 0;
   std::vector<double> losses_db;
   for (const char* scene : kSweptScenes) {
-    const auto stimuli = stimuli_from_scene(scene, stimulus_options);
+    const auto stimuli = stimuli_of(laboratory, scene);
     const ResultTable rows = sweep_synthesis(stimuli, sweep);
     result.rows.append(rows);
     const int width = stimuli.front().key_views.grid().width;
