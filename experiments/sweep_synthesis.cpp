@@ -17,14 +17,8 @@ namespace plenolab {
 
 namespace {
 
-struct Setting {
-  SearchKind search = SearchKind::kFast;
-  double step_px = 1;
-  int key_views = 4;
-};
-
 struct Outcome {
-  Setting setting;
+  SynthesisSetting setting;
   double psnr_db = 0, samples_per_search = 0, memory_mib = 0;
   TimingSummary timing;
   double rms_error() const { return std::pow(10.0, -psnr_db / 20); }
@@ -32,14 +26,6 @@ struct Outcome {
 
 const char* name_of(SearchKind search) {
   return search == SearchKind::kLinear ? "linear" : "fast";
-}
-
-std::vector<Setting> settings_of(const SynthesisSweepOptions& options) {
-  std::vector<Setting> settings;
-  for (const SearchKind search : options.searches)
-    for (const int key_views : options.key_views)
-      for (const double step_px : options.steps_px) settings.push_back({search, step_px, key_views});
-  return settings;
 }
 
 /// Memory that one synthesis holds: four key views with disparity, their prepared form, and the result.
@@ -52,7 +38,7 @@ double held_memory_mib(const Synthesizer& synthesizer, const NovelView<SceneRefe
 }
 
 Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths,
-                    const Setting& setting, const SynthesisSweepOptions& options) {
+                    const SynthesisSetting& setting, const SynthesisSweepOptions& options) {
   SynthesisOptions synthesis;
   synthesis.search = setting.search;
   synthesis.step_px = setting.step_px;
@@ -111,24 +97,31 @@ std::map<std::string, Cell> columns_of(const ResultRow& row) {
 
 }  // namespace
 
+std::vector<SynthesisSetting> all_synthesis_settings() {
+  std::vector<SynthesisSetting> settings;
+  for (const SearchKind search : {SearchKind::kLinear, SearchKind::kFast})
+    for (const int key_views : {1, 2, 4})
+      for (const double step_px : {0.25, 0.5, 1.0, 2.0, 4.0})
+        settings.push_back({search, step_px, key_views});
+  return settings;
+}
+
 void SynthesisSweepOptions::validate() const {
-  if (searches.empty() || steps_px.empty() || key_views.empty())
-    throw InputError("a sweep needs at least one search, one step and one number of key views");
+  if (settings.empty()) throw InputError("a sweep needs at least one setting");
   if (runs < 1) throw InputError(fmt::format("a sweep needs at least one timed run, not {}", runs));
 }
 
 ResultTable sweep_synthesis(const std::vector<SweepStimulus>& stimuli, const SynthesisSweepOptions& options,
                             const Progress& progress) {
   options.validate();
-  const std::vector<Setting> settings = settings_of(options);
-  const double total = static_cast<double>(stimuli.size() * settings.size());
+  const double total = static_cast<double>(stimuli.size() * options.settings.size());
   double done = 0;
   ResultTable table;
   for (const SweepStimulus& stimulus : stimuli) {
     std::vector<SceneImage> truths;
     for (const CameraPosition& position : stimulus.positions) truths.push_back(stimulus.truth(position));
     std::vector<Outcome> outcomes;
-    for (const Setting& setting : settings) {
+    for (const SynthesisSetting& setting : options.settings) {
       outcomes.push_back(run_setting(stimulus, truths, setting, options));
       if (progress) progress(++done / total);
     }

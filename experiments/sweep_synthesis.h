@@ -20,11 +20,19 @@ struct SweepStimulus {
   std::function<SceneImage(CameraPosition)> truth;  ///< of those positions, same size
 };
 
+/// One way to synthesise.
+struct SynthesisSetting {
+  SearchKind search = SearchKind::kFast;
+  double step_px = 1;
+  int key_views = 4;
+};
+
+/// Every combination of both searches, steps of ¼, ½, 1, 2 and 4 px, and 1, 2 and 4 key views.
+std::vector<SynthesisSetting> all_synthesis_settings();
+
 /// What `sweep synthesis` varies.
 struct SynthesisSweepOptions {
-  std::vector<SearchKind> searches{SearchKind::kLinear, SearchKind::kFast};
-  std::vector<double> steps_px{0.25, 0.5, 1, 2, 4};
-  std::vector<int> key_views{1, 2, 4};
+  std::vector<SynthesisSetting> settings = all_synthesis_settings();
   int runs = 3;     ///< timed runs of every setting and position, ≥ 1
   int threads = 0;  ///< 0 = all cores
 
