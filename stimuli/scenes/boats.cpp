@@ -50,15 +50,24 @@ ColourTexture painted(Rgb paint, std::uint32_t seed) {
 Materials make_materials(SceneAssembler& scene) {
   Materials m{};
   m.water = scene.material(glossy(plain({0.003f, 0.008f, 0.011f}), constant(0.035f), 1.33f, water_normal));
-  m.deck = scene.material(diffuse(
-      wood({.light = {0.50f, 0.42f, 0.33f}, .dark = {0.22f, 0.17f, 0.13f}, .weathering = 0.5f, .seed = 5})));
-  m.pile = scene.material(diffuse(
-      wood({.light = {0.34f, 0.26f, 0.19f}, .dark = {0.12f, 0.09f, 0.065f}, .weathering = 0.4f, .seed = 6})));
+  m.deck = scene.material(diffuse(wood({.light = {0.50f, 0.42f, 0.33f},
+                                        .dark = {0.22f, 0.17f, 0.13f},
+                                        .ring_m = 0.03f,
+                                        .weathering = 0.5f,
+                                        .seed = 5})));
+  m.pile = scene.material(diffuse(wood({.light = {0.34f, 0.26f, 0.19f},
+                                        .dark = {0.12f, 0.09f, 0.065f},
+                                        .ring_m = 0.03f,
+                                        .weathering = 0.4f,
+                                        .seed = 6})));
   m.blue = scene.material(diffuse(painted({0.06f, 0.17f, 0.3f}, 7)));
   m.red = scene.material(diffuse(painted({0.42f, 0.06f, 0.045f}, 8)));
   m.white = scene.material(diffuse(painted({0.66f, 0.65f, 0.6f}, 9)));
-  m.inside = scene.material(diffuse(
-      wood({.light = {0.55f, 0.37f, 0.2f}, .dark = {0.25f, 0.14f, 0.07f}, .weathering = 0.15f, .seed = 10})));
+  m.inside = scene.material(diffuse(wood({.light = {0.55f, 0.37f, 0.2f},
+                                          .dark = {0.25f, 0.14f, 0.07f},
+                                          .ring_m = 0.03f,
+                                          .weathering = 0.15f,
+                                          .seed = 10})));
   m.rope = scene.material(diffuse(plain({0.4f, 0.33f, 0.23f})));
   m.hill = scene.material(diffuse(mottled({0.06f, 0.08f, 0.07f}, {0.1f, 0.11f, 0.09f}, 12, 0, 11)));
   m.forest = scene.material(diffuse(mottled({0.03f, 0.05f, 0.03f}, {0.06f, 0.08f, 0.05f}, 3, 0, 12)));

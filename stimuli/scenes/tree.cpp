@@ -35,8 +35,8 @@ Rgb blade_colour(const SurfacePoint& point) {
   const PartPoint part = part_of(point);
   const float tone = cell_random(part.number, 0, 0, 6), dry = cell_random(part.number, 1, 0, 6);
   const float patch = 0.5f + 0.5f * fractal_noise(point.position_m * 0.35f, 3, 44);
-  const Rgb green = mix({0.085f, 0.17f, 0.025f}, {0.23f, 0.34f, 0.07f}, 0.6f * tone + 0.4f * patch);
-  return mix(green, {0.42f, 0.38f, 0.16f}, dry > 0.82f ? 0.7f : 0.1f * patch) * (0.4f + 0.6f * part.v);
+  const Rgb green = mix({0.085f, 0.17f, 0.025f}, {0.23f, 0.34f, 0.07f}, 0.3f * tone + 0.6f * patch);
+  return mix(green, {0.42f, 0.38f, 0.16f}, dry > 0.88f ? 0.5f : 0.1f * patch) * (0.6f + 0.4f * part.v);
 }
 
 Rgb meadow_colour(const SurfacePoint& point) {
@@ -99,7 +99,7 @@ void add_land(SceneAssembler& scene, const Materials& m) {
 }
 
 void add_grass(SceneAssembler& scene, const Materials& m) {
-  scene.add(m.grass, grass({.near_m = 3.2f, .far_m = 24, .blades = 70000, .height_m = 0.26f}, terrain));
+  scene.add(m.grass, grass({.near_m = 3.2f, .far_m = 15, .blades = 60000, .height_m = 0.26f}, terrain));
   RandomStream random(17, 0x666c6f77, 0);
   for (int i = 0; i < 520; ++i) {
     const float distance = 3.6f + 9 * random.next_float(), angle = 0.75f * (2 * random.next_float() - 1);

@@ -2,8 +2,8 @@
 // under a film of water and the floor is full of puddles: mirror-like reflections of lamps and daylight,
 // whose disparity is not that of the wall they appear on, so that view synthesis shows ghost copies of them.
 //
-// Light: overcast daylight of 2 500–4 300 cd/m² at the far end, tube lamps of 9 000 cd/m² (warm white); dry
-// lining about 1–40 cd/m².
+// Light: overcast daylight of 2 500–4 300 cd/m² at the far end, tube lamps of 13 000 cd/m² (warm white);
+// lining about 1–100 cd/m².
 
 #include <algorithm>
 #include <cmath>

@@ -34,7 +34,7 @@ ColourTexture wood(const WoodLook& look) {
     const float rings = (part.u + 0.03f * bend) / look.ring_m;
     const float line = to_unit(gradient_noise({rings, part.v * 0.6f, layer}, look.seed + 1));
     const float fibre = to_unit(gradient_noise({part.u * 350, part.v * 7, layer}, look.seed + 2));
-    const float grain = 0.8f * line + 0.25f * fibre + 0.45f * (tone - 0.5f) - 0.02f;
+    const float grain = 0.8f * line + 0.14f * fibre + 0.45f * (tone - 0.5f) + 0.035f;
     const Rgb fresh = mix(look.dark, look.light, grain);
     const float stain = to_unit(fractal_noise({part.u * 5, part.v * 1.5f, layer + 9}, 3, look.seed + 3));
     const Rgb grey = Rgb{0.27f, 0.25f, 0.225f} * (0.35f + 0.8f * grain);
