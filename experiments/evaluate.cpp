@@ -107,6 +107,28 @@ RgbImage<Referral> truth_of(const BasicLightField<Referral>& captured, ViewIndex
   return colour;
 }
 
+/// Where a captured view lies on the grid of the key views.
+CameraPosition position_of(ViewIndex index, const ViewGrid& grid, int stride) {
+  return {static_cast<double>(index.column) / stride_along(grid.columns, stride),
+          static_cast<double>(index.row) / stride_along(grid.rows, stride)};
+}
+
+template <class Referral>
+void score_view(const NovelView<Referral>& novel, const RgbImage<Referral>& truth,
+                const ComparisonConditions& conditions, const Columns& columns, ResultTable& table,
+                Totals& totals) {
+  const std::vector<Measurement> measurements =
+      measure(novel.image, truth, select_metrics(std::vector<std::string>{"all"}), conditions);
+  const double seconds = novel.timings.total_s - novel.timings.prepare_s;
+  add_measurement_rows(table, measurements, columns);
+  table.add({"unseen_pixels", static_cast<double>(novel.unseen_pixels), "px", columns});
+  table.add({"seconds", seconds, "s", columns});
+  totals.add(measurements);
+  totals.unseen_pixels += static_cast<double>(novel.unseen_pixels);
+  totals.pixels += static_cast<double>(novel.image.size());
+  totals.seconds.push_back(seconds);
+}
+
 }  // namespace
 
 void EvaluateOptions::validate() const {
@@ -132,25 +154,16 @@ ResultTable evaluate(const BasicLightField<Referral>& captured, const EvaluateOp
   conditions.exposure = exposure_for(captured, options.exposure);
   conditions.cd_m2_per_unit = options.cd_m2_per_unit;
   conditions.threads = options.synthesis.threads;
-  const auto metrics = select_metrics(std::vector<std::string>{"all"});
-  const double step_x = stride_along(grid.columns, options.key_stride);
-  const double step_y = stride_along(grid.rows, options.key_stride);
   ResultTable table;
   Totals totals;
   double done = 0;
   for (const ViewIndex index : positions.scored) {
     const RgbImage<Referral> truth = truth_of(captured, index, totals);
-    const NovelView<Referral> novel =
-        synthesizer.synthesize({index.column / step_x, index.row / step_y}, options.synthesis);
-    const std::vector<Measurement> measurements = measure(novel.image, truth, metrics, conditions);
-    const Columns columns = view_columns(options.key_stride, fmt::format("{},{}", index.column, index.row));
-    add_measurement_rows(table, measurements, columns);
-    table.add({"unseen_pixels", static_cast<double>(novel.unseen_pixels), "px", columns});
-    table.add({"seconds", novel.timings.total_s - novel.timings.prepare_s, "s", columns});
-    totals.add(measurements);
-    totals.unseen_pixels += static_cast<double>(novel.unseen_pixels);
-    totals.pixels += static_cast<double>(novel.image.size());
-    totals.seconds.push_back(novel.timings.total_s - novel.timings.prepare_s);
+    const auto novel =
+        synthesizer.synthesize(position_of(index, grid, options.key_stride), options.synthesis);
+    score_view(novel, truth, conditions,
+               view_columns(options.key_stride, fmt::format("{},{}", index.column, index.row)), table,
+               totals);
     if (receive) receive({index.column, index.row, truth, novel, conditions.exposure});
     if (progress) progress(++done / static_cast<double>(positions.scored.size()));
   }
