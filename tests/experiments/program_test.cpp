@@ -175,6 +175,22 @@ TEST(Program, EvaluateWritesTheSameRowsAsJsonAndCsv) {
   EXPECT_TRUE(has_total);
 }
 
+TEST(Program, AnImportedHciFolderIsEvaluatedAsItIs) {
+  const TemporaryFolder folder;
+  const fs::path field = written_plane(folder.path() / "field"), hci = folder.path() / "hci";
+  const ProgramResult convert = run_program({"convert", field, "--to", "hci", "-o", hci});
+  ASSERT_EQ(convert.status, 0) << convert.err;
+  ASSERT_TRUE(fs::exists(hci / "input_Cam008.png"));
+  const ProgramResult result = run_program({"evaluate", hci, "--key-stride", "2", "--json", "-"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  const auto rows = nlohmann::json::parse(result.out).at("rows");
+  const auto total = std::find_if(rows.begin(), rows.end(), [](const auto& row) {
+    return row.at("quantity") == "psnr_gamma_db" && row.at("view") == "all";
+  });
+  ASSERT_NE(total, rows.end());
+  EXPECT_GT(total->at("value").get<double>(), 30);
+}
+
 TEST(Program, FramesOfAVideoMakeAnEpi) {
   const TemporaryFolder folder;
   const fs::path field = written_plane(folder.path() / "field");
