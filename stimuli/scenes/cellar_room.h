@@ -8,9 +8,10 @@ namespace plenolab {
 /// on joists and a girder on timber posts, a window in the far wall through which the sun comes in, a hatch
 /// in the left wall and a door behind the cameras.
 ///
-/// Light: sun of 100 000 lx at 24° elevation, 14° right of the viewing axis, clear sky (thousands of cd/m²);
-/// surfaces inside reach 0.5–60 cd/m², sunlit streaks about 5 000 cd/m². Slits, window, hatch and door are
-/// sky portals.
+/// Light: sun of 100 000 lx at 24° elevation, 14° right of the viewing axis, clear sky (thousands of cd/m²),
+/// two oil lamps of 6 000 cd/m²; surfaces inside reach 0.2–100 cd/m², sunlit patches about 10 000 cd/m², the
+/// sun itself, seen through a slit by some cameras, 1.5·10⁹ cd/m². Slits, window, hatch and door are sky
+/// portals. Surfaces are lit directly only (see Scene::max_bounces).
 Scene cellar_room();
 
 }  // namespace plenolab

@@ -8,8 +8,9 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "stimuli/scenes/modelling/assembler.h"
 #include "stimuli/scenes/modelling/noise.h"
-#include "stimuli/scenes/modelling/props.h"
+#include "stimuli/scenes/modelling/parts.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/modelling/vegetation.h"
 #include "stimuli/scenes/table.h"

@@ -9,9 +9,10 @@
 #include <cmath>
 
 #include "core/base/random.h"
+#include "stimuli/scenes/modelling/assembler.h"
 #include "stimuli/scenes/modelling/masonry.h"
 #include "stimuli/scenes/modelling/noise.h"
-#include "stimuli/scenes/modelling/props.h"
+#include "stimuli/scenes/modelling/parts.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
 

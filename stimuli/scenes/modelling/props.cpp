@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "core/base/random.h"
 #include "stimuli/scenes/modelling/parts.h"
 
 namespace plenolab {
@@ -122,21 +121,6 @@ Mesh ladder(const Vec3& foot_m, const Vec3& top_m, const Vec3& sideways, float w
   for (int i = 1; i < rungs; ++i) {
     const Vec3 middle = foot_m + (top_m - foot_m) * (static_cast<float>(i) / static_cast<float>(rungs));
     append(mesh, numbered(rod(middle - across, middle + across, 0.016f, 0.016f, 8), number + i));
-  }
-  return mesh;
-}
-
-Mesh board_row(float length_m, float height_m, float board_m, float thickness_m, std::uint32_t seed) {
-  RandomStream random(seed, 0x626f6172, 0);
-  Mesh mesh;
-  int number = static_cast<int>(seed);
-  for (float x = 0; x + board_m / 2 < length_m; x += board_m) {
-    const float height = height_m * (0.96f + 0.08f * random.next_float());
-    const float lean = 0.02f * (random.next_float() - 0.5f);
-    const Mesh board =
-        numbered(bevelled_box({board_m * 0.95f, thickness_m, height}, thickness_m * 0.15f), number += 13);
-    append(mesh, placed(board, Eigen::Translation3f(x + board_m / 2, 0, height / 2) *
-                                   Eigen::AngleAxisf(lean, Vec3::UnitY()) * Eigen::Affine3f::Identity()));
   }
   return mesh;
 }

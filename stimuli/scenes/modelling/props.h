@@ -23,7 +23,4 @@ Mesh jar(float height_m);
 /// Ladder that leans between two points of its axis.
 Mesh ladder(const Vec3& foot_m, const Vec3& top_m, const Vec3& sideways, float width_m, int number);
 
-/// A row of vertical boards with ragged tops over [0, length] in the x-z plane facing −y.
-Mesh board_row(float length_m, float height_m, float board_m, float thickness_m, std::uint32_t seed);
-
 }  // namespace plenolab
