@@ -14,12 +14,21 @@ namespace {
 // Neighbours of one surface: their true disparities differ by less.
 constexpr float kSameSurface_px = 0.5f;
 constexpr int kBlock_px = 8;
+constexpr int kEdgeMargin_px = 2;
 
 /// Whether two neighbours lie on one surface and are both seen.
 bool same_surface(const Plane<std::uint8_t>& views, const DisparityMap& disparity, int x, int y, int nx,
                   int ny) {
   return views.at(x, y) != 0 && views.at(nx, ny) != 0 &&
          std::abs(disparity.at(x, y) - disparity.at(nx, ny)) < kSameSurface_px;
+}
+
+/// Whether the pixels from x − kEdgeMargin_px to x + 1 + kEdgeMargin_px of a row lie on one surface.
+bool away_from_edges(const DisparityMap& disparity, int x, int y) {
+  const int last = std::min(x + 1 + kEdgeMargin_px, disparity.width() - 1);
+  for (int i = std::max(0, x - kEdgeMargin_px); i <= last; ++i)
+    if (std::abs(disparity.at(i, y) - disparity.at(x, y)) >= kSameSurface_px) return false;
+  return true;
 }
 
 double step_product(const TwinView& view, int x, int y, int nx, int ny) {
@@ -82,7 +91,8 @@ std::vector<double> squared_border_steps(std::span<const TwinView> views) {
       double sum = 0;
       int count = 0;
       for (int x = width / 4; x < 3 * width / 4; ++x) {
-        if (!same_surface(view.views, view.disparity, x, y, x + 1, y)) continue;
+        if (view.views.at(x, y) == 0 || view.views.at(x + 1, y) == 0) continue;
+        if (!away_from_edges(view.disparity, x, y)) continue;
         if (view.views.at(x, y) == view.views.at(x + 1, y)) continue;
         sum += step_product(view, x, y, x + 1, y);
         ++count;
@@ -119,11 +129,6 @@ SceneError scene_error(Laboratory& laboratory, const std::string& scene_id, Came
   result.truth = truth.colour;
   result.synthesised = std::move(novel.image);
   return result;
-}
-
-std::vector<CameraPosition> middle_positions(const ViewGrid& grid) {
-  const double s = std::max(0, (grid.columns - 2) / 2), t = std::max(0, (grid.rows - 2) / 2);
-  return {{s + 0.5, t + 0.5}, {s + 0.5, t}, {s + 0.25, t + 0.6}};
 }
 
 }  // namespace plenolab

@@ -10,7 +10,8 @@ namespace plenolab {
 /// views see.
 
 /// Squared steps of the error S − T across such borders in the middle half of the image, noise taken out as
-/// in tile_errors; one mean for each image row with at least one border.
+/// in tile_errors; one mean for each image row with at least one border. Pixels next to the edge of another
+/// surface are left out: there, errors of geometry of up to a pixel would count too.
 std::vector<double> squared_border_steps(std::span<const TwinView> views);
 
 /// Error of a view of a scene of the table, whose truth is rendered once.
@@ -28,9 +29,5 @@ struct SceneError {
 /// `exposure` 0 = from the truth.
 SceneError scene_error(Laboratory& laboratory, const std::string& scene_id, CameraPosition position,
                        float exposure = 0);
-
-/// Three positions in a cell in the middle of the grid: its centre, on a grid line, and off every symmetry
-/// line.
-std::vector<CameraPosition> middle_positions(const ViewGrid& grid);
 
 }  // namespace plenolab

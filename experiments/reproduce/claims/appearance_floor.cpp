@@ -36,16 +36,14 @@ Interval mean_interval(const std::vector<double>& values, std::uint64_t seed) {
 }  // namespace
 
 std::vector<TwinView> floor_views(Laboratory& laboratory, const FloorLook& look, double spacing_m) {
-  const bool specular = look.kind == FloorLook::Kind::kMirror;  // its noise is that of the pixel filter only
   return render_twins(laboratory, {.scene = floor_probe(look),
                                    .grid = appearance_grid(laboratory, spacing_m),
                                    .exposure = kFloorExposure,
-                                   .paths_per_pixel = specular ? 16 : 32,
-                                   .positions = {{0.5, 0.5}, {0.35, 0.45}, {0.55, 0.4}}});
+                                   .positions = {{0.5, 0.5}, {0.35, 0.45}}});
 }
 
 std::vector<LampCopies> copies_of_lamps(const TwinView& view, const Scene& scene, const ViewGrid& grid) {
-  const Plane<float> synthesised = luma_of(view.synthesised[0]), truth = luma_of(view.truth[0]);
+  const Plane<float> synthesised = luma_of(view.synthesised), truth = luma_of(view.truth);
   std::vector<LampCopies> all;
   for (const FloorLamp& lamp : floor_lamps()) {
     const ImagePoint at = project(scene.camera, grid, view.position, lamp.reflection_m);

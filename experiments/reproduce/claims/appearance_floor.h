@@ -14,7 +14,7 @@ namespace plenolab {
 inline constexpr double kSparseSpacing_m = 0.3;
 inline constexpr double kFloorDepth_m = 2.79;
 
-/// Views of a floor at three positions within the cell.
+/// Views of a floor at two positions within the cell.
 std::vector<TwinView> floor_views(Laboratory& laboratory, const FloorLook& look, double spacing_m);
 
 /// How the synthesised view shows one lamp's reflection.

@@ -13,6 +13,7 @@ namespace plenolab {
 namespace {
 
 constexpr int kTilesX = 6, kTilesY = 4;
+constexpr int kLeastSpot_px = 3;
 
 /// Bits of the key views that contribute to each pixel.
 Plane<std::uint8_t> contributing_views(const NovelView<SceneReferred>& novel) {
@@ -97,13 +98,15 @@ float median_in(const Plane<float>& luma, const Window& window) {
   return *middle;
 }
 
-/// Clears the group that (x, y) belongs to.
-void clear_group(Plane<std::uint8_t>& bright, int x, int y) {
+/// Clears the group that (x, y) belongs to and returns its number of pixels.
+int clear_group(Plane<std::uint8_t>& bright, int x, int y) {
   std::vector<std::pair<int, int>> open{{x, y}};
   bright.at(x, y) = 0;
+  int pixels = 0;
   while (!open.empty()) {
     const auto [cx, cy] = open.back();
     open.pop_back();
+    ++pixels;
     for (int ny = std::max(0, cy - 1); ny <= std::min(bright.height() - 1, cy + 1); ++ny)
       for (int nx = std::max(0, cx - 1); nx <= std::min(bright.width() - 1, cx + 1); ++nx)
         if (bright.at(nx, ny) != 0) {
@@ -111,6 +114,7 @@ void clear_group(Plane<std::uint8_t>& bright, int x, int y) {
           open.emplace_back(nx, ny);
         }
   }
+  return pixels;
 }
 
 }  // namespace
@@ -172,9 +176,10 @@ Window window_around(const ViewGrid& grid, double x, double y, double half_width
   return {left, top, right - left, bottom - top};
 }
 
-Plane<float> luma_of(const DisplayImage& image) {
-  Plane<float> luma(image.width(), image.height());
-  for (std::size_t i = 0; i < luma.size(); ++i) luma.pixels()[i] = luminance(image.pixels()[i]);
+Plane<float> luma_of(const std::array<DisplayImage, 2>& images) {
+  Plane<float> luma(images[0].width(), images[0].height());
+  for (std::size_t i = 0; i < luma.size(); ++i)
+    luma.pixels()[i] = luminance((images[0].pixels()[i] + images[1].pixels()[i]) * 0.5f);
   return luma;
 }
 
@@ -188,10 +193,7 @@ int count_spots(const Plane<float>& luma, const Window& window, float height) {
   int spots = 0;
   for (int y = 0; y < window.height; ++y)
     for (int x = 0; x < window.width; ++x)
-      if (bright.at(x, y) != 0) {
-        clear_group(bright, x, y);
-        ++spots;
-      }
+      if (bright.at(x, y) != 0 && clear_group(bright, x, y) >= kLeastSpot_px) ++spots;
   return spots;
 }
 

@@ -21,7 +21,7 @@ struct Probe {
   Scene scene;
   ViewGrid grid;
   float exposure = 1;
-  int paths_per_pixel = 32;  ///< of each of two renderings with independent noise
+  int paths_per_pixel = 16;  ///< of each of two renderings with independent noise
   std::vector<CameraPosition> positions;
 };
 
@@ -67,11 +67,11 @@ struct Window {
 };
 Window window_around(const ViewGrid& grid, double x, double y, double half_width, double half_height);
 
-/// Luma of encoded colours.
-Plane<float> luma_of(const DisplayImage& image);
+/// Luma of encoded colours, the mean of both renderings.
+Plane<float> luma_of(const std::array<DisplayImage, 2>& images);
 
-/// Bright spots in a window: connected groups of pixels (8 neighbours) brighter than the window's median by
-/// more than `height`.
+/// Bright spots in a window: connected groups (8 neighbours) of at least 3 pixels brighter than the window's
+/// median by more than `height`. Single bright pixels are noise.
 int count_spots(const Plane<float>& luma, const Window& window, float height);
 
 /// How far the window's maximum rises above its median.
