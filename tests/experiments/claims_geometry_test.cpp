@@ -63,7 +63,9 @@ TEST(Probes, SynthesisReproducesAFlatWorldWithoutOccluders) {
 TEST(Probes, SealingTellsScenesApartByGeometryAndTexture) {
   const auto sealed = [](float albedo, float size) {
     Scene scene = empty_probe("probe-test");
-    add_surface(scene, {.albedo = plain({albedo, albedo, albedo})}, card({0, 2, 0}, size, 1));
+    Material material;
+    material.albedo = plain({albedo, albedo, albedo});
+    add_surface(scene, material, card({0, 2, 0}, size, 1));
     seal(scene);
     return scene.variant;
   };
@@ -154,7 +156,10 @@ TEST(GeometryOccluders, SynthesisMissesWhatGeometryHides) {
 }
 
 TEST(GeometryClaims, EveryClaimOnProbesIsDecidedOnFiniteNumbersInATinyRun) {
-  Laboratory laboratory({.effort = Effort::kTiny, .cache = {}, .seed = 1, .threads = 1, .progress = {}});
+  LaboratoryOptions options;
+  options.effort = Effort::kTiny;
+  options.threads = 1;
+  Laboratory laboratory(options);
   for (const Reproduction* item : select_reproductions(
            {"altmeier-claim-g3", "altmeier-claim-g5", "altmeier-claim-g7", "altmeier-claim-g8"})) {
     const ReproductionResult result = item->run(laboratory);

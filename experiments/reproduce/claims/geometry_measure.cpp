@@ -114,12 +114,7 @@ void conclude(ReproductionResult& result, Claim claim, Verdict verdict) {
 }
 
 std::vector<CameraPosition> judged_positions(const ViewGrid& grid, Effort effort) {
-  const double s = std::max(0, (grid.columns - 2) / 2), t = std::max(0, (grid.rows - 2) / 2);
-  std::vector<CameraPosition> positions;
-  for (const CameraPosition offset : {CameraPosition{0.5, 0.5}, {0.5, 0.0}, {0.25, 0.6}}) {
-    const CameraPosition position{s + offset.s, t + offset.t};
-    if (grid.contains(position)) positions.push_back(position);
-  }
+  std::vector<CameraPosition> positions = scored_positions(grid);
   if (effort == Effort::kTiny) positions.resize(std::min<std::size_t>(positions.size(), 1));
   return positions;
 }

@@ -55,9 +55,7 @@ std::string outcome_text(Outcome outcome);
 /// Files a decided claim in the result: ledger entry and its row.
 void conclude(ReproductionResult& result, Claim claim, Verdict verdict);
 
-/// Positions at which rendered scenes are judged, in one cell in the middle of the grid: its centre, on a
-/// grid line, off every symmetry line; the centre alone in a tiny run. They are those of
-/// synthesis_quality.cpp, so that each truth is rendered once.
+/// Positions at which rendered scenes are judged: scored_positions, in a tiny run the first of them alone.
 std::vector<CameraPosition> judged_positions(const ViewGrid& grid, Effort effort);
 
 }  // namespace plenolab
