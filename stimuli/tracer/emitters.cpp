@@ -32,11 +32,23 @@ Emitters::Emitters(const Scene& scene) {
     }
   }
   for (double& c : cumulative_) c /= total_weight_;
+  const std::size_t shares = triangles_.size();
+  for (std::size_t i = 0; i <= shares; ++i) {
+    const double start = static_cast<double>(i) / static_cast<double>(shares);
+    const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), start);
+    guide_.push_back(static_cast<std::uint32_t>(found - cumulative_.begin()));
+  }
 }
 
 std::optional<EmitterPoint> Emitters::sample(float select, std::array<float, 2> u) const {
   if (triangles_.empty()) return std::nullopt;
-  const auto found = std::upper_bound(cumulative_.begin(), cumulative_.end(), static_cast<double>(select));
+  // The guide leaves a few entries to search where the whole list would miss the cache at every step.
+  const auto share =
+      std::min(static_cast<std::size_t>(static_cast<double>(select) * static_cast<double>(triangles_.size())),
+               triangles_.size() - 1);
+  const auto first = cumulative_.begin() + guide_[share];
+  const auto last = cumulative_.begin() + guide_[share + 1];
+  const auto found = std::upper_bound(first, last, static_cast<double>(select));
   const auto index =
       std::min<std::size_t>(static_cast<std::size_t>(found - cumulative_.begin()), triangles_.size() - 1);
   const Triangle& t = triangles_[index];

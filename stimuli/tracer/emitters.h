@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -38,8 +39,9 @@ class Emitters {
     const Material* material;
   };
   std::vector<Triangle> triangles_;
-  std::vector<double> cumulative_;  ///< normalised, one entry a triangle
-  double total_weight_ = 0;         ///< Σ luminance · sides · area
+  std::vector<double> cumulative_;    ///< normalised, one entry a triangle
+  std::vector<std::uint32_t> guide_;  ///< first triangle of each of equal shares of cumulative_, and the end
+  double total_weight_ = 0;           ///< Σ luminance · sides · area
 };
 
 }  // namespace plenolab::tracer

@@ -1,6 +1,7 @@
 #include "stimuli/tracer/path_tracer.h"
 
 #include <array>
+#include <span>
 
 #include "stimuli/tracer/bsdf.h"
 #include "stimuli/tracer/medium.h"
@@ -66,20 +67,20 @@ struct LightCandidate {
 // Draws one of several candidates in proportion to what it would bring if nothing were in the way (resampled
 // importance sampling, Talbot, Cline & Egbert 2005); its light is scaled so that the mean over draws is that
 // of all candidates.
-template <std::size_t kCount>
-LightCandidate resample(const std::array<LightCandidate, kCount>& candidates, float u) {
-  std::array<float, kCount> cumulative;
+LightCandidate resample(std::span<const LightCandidate> candidates, float u) {
   float total = 0;
-  for (std::size_t i = 0; i < kCount; ++i) cumulative[i] = total += max_component(candidates[i].light);
+  for (const LightCandidate& c : candidates) total += max_component(c.light);
   if (!(total > 0)) return {};
-  std::size_t chosen = 0;
-  while (chosen + 1 < kCount && u * total >= cumulative[chosen]) ++chosen;
-  while (chosen > 0 && is_black(candidates[chosen].light)) --chosen;
-  LightCandidate result = candidates[chosen];
-  const float own = max_component(result.light);
-  if (!(own > 0)) return {};
-  result.light = result.light * (total / (static_cast<float>(kCount) * own));
-  return result;
+  const LightCandidate* chosen = nullptr;
+  float passed = 0;
+  for (const LightCandidate& c : candidates) {
+    if (is_black(c.light)) continue;
+    chosen = &c;
+    passed += max_component(c.light);
+    if (u * total < passed) break;
+  }
+  const float scale = total / (static_cast<float>(candidates.size()) * max_component(chosen->light));
+  return {chosen->direction, chosen->distance_m, chosen->light * scale};
 }
 
 // Candidate `index` of `count` random numbers spread evenly from one: each alone is uniform in [0, 1).
@@ -269,12 +270,15 @@ LightCandidate Path::sky_candidate(const Surface& surface, const Vec3& origin, f
 }
 
 Rgb Path::light_of_sky(const Surface& surface, const Vec3& origin) {
-  constexpr std::size_t kCandidates = 4;
+  // Portals differ in what they bring; directions drawn from the open sky hardly do.
+  constexpr std::size_t kPortalCandidates = 4;
+  const std::size_t count = world_.portals.empty() ? 1 : kPortalCandidates;
   const float select = random_1d(kPortal);
   const std::array<float, 2> u = random_2d(kSky);
-  std::array<LightCandidate, kCandidates> candidates;
-  for (std::size_t i = 0; i < kCandidates; ++i)
-    candidates[i] = sky_candidate(surface, origin, spread(select, i, kCandidates), spread(u, i));
+  std::array<LightCandidate, kPortalCandidates> store;
+  const std::span candidates(store.data(), count);
+  for (std::size_t i = 0; i < count; ++i)
+    candidates[i] = sky_candidate(surface, origin, spread(select, i, count), spread(u, i));
   const LightCandidate chosen = resample(candidates, random_1d(kSkyChoice));
   return is_black(chosen.light) ? Rgb{} : chosen.light * unoccluded({origin, chosen.direction}, kInfinity);
 }
