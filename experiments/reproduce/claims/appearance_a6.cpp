@@ -165,9 +165,7 @@ ReportPlot step_plot(const std::vector<KindResult>& kinds) {
   Plot plot;
   plot.x = {
       .title = "Distance from the nearest column of key views", .unit = "spacings", .logarithmic = true};
-  plot.y = {.title = "Largest step between neighbouring pixels",
-            .unit = "of the key views' difference",
-            .minimum = 0};
+  plot.y = {.title = "Largest step", .unit = "of the key views' difference", .minimum = 0};
   plot.key = KeyPosition::kOutside;
   for (const KindResult& kind : kinds) {
     PlotSeries series{.title = kind.kind.name};
