@@ -75,15 +75,12 @@ ReproductionResult reproduce_scene_overview(Laboratory& laboratory) {
   }
   result.paper_shows =
       "Figure 11 shows one view of each of the nine light fields, from Blender scenes that are not "
-      "available: "
-      "Tunnel, Dunes, Cellar without and with light shafts, Boats and Lanterns, Dominoes, Tree and Desk. The "
-      "grids have 17 × 9 key views, the Cellar 17 × 5.";
+      "available: Tunnel, Dunes, Cellar without and with light shafts, Boats and Lanterns, Dominoes, Tree "
+      "and Desk. The grids have 17 × 9 key views, the Cellar 17 × 5.";
   result.ours_shows = fmt::format(
       "{} procedural scenes, each modelled to provoke what its namesake shows. Their dynamic range is "
-      "10^{:.1f} "
-      "to 10^{:.1f} between the 1st and 99th percentile of luminance. Disparity is drawn from black "
-      "(infinitely "
-      "far) to light yellow (d_max of the light field).",
+      "10^{:.1f} to 10^{:.1f} between the 1st and 99th percentile of luminance. Disparity is drawn from "
+      "black (infinitely far) to light yellow (d_max of the light field).",
       laboratory.scene_ids().size(), least, most);
   result.differs =
       "The scenes are other ones; what can be compared is which effects they provoke, not their errors in "

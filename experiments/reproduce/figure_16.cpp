@@ -121,21 +121,18 @@ ReproductionResult reproduce_visible_pixels(Laboratory& laboratory) {
                    Columns{{"scene", std::string(kScene)}}});
   result.paper_shows =
       "Figure 16 shows the pixels of the top-left key view of the Dominoes scene that remain visible after "
-      "it "
-      "is warped to a novel view: the pixels on pseudo-surfaces and behind occluders are discarded.";
+      "it is warped to a novel view: the pixels on pseudo-surfaces and behind occluders are discarded.";
   result.ours_shows = fmt::format(
       "All {} key views around a position in the scene {}, the one of {} cell centres whose best crop has "
-      "most "
-      "discarded pixels. Each key view alone shows {} to {} of the view; {} of its pixels are visible in all "
-      "of "
-      "them and {} in none before restoration: each key view fills the holes that the others leave.",
+      "most discarded pixels. Each key view alone shows {} to {} of the view; {} of its pixels are visible "
+      "in all of them and {} in none before restoration: each key view fills the holes that the others "
+      "leave.",
       view.views.size(), title, place.searched, percent(least), percent(most),
       percent(static_cast<double>(shown_by_all) / pixels),
       percent(static_cast<double>(view.restored_pixels + view.unseen_pixels) / pixels));
   result.differs =
       "The thesis shows one key view of another scene and leaves discarded pixels dark; here all four are "
-      "shown "
-      "and colours tell the cause.";
+      "shown and colours tell the cause.";
   return result;
 }
 

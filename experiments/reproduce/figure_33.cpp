@@ -101,7 +101,7 @@ ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
   options.record_provenance = true;
   options.keep_thin = true;
   const auto keeping = synthesizer.synthesize(place.view.position, options);
-  const auto truth = laboratory.truth(kScene, place.view.position);
+  const auto truth = laboratory.truth(kScene, place.view.position, kTruthPathFactor);
   const auto limit_px = static_cast<float>(options.disocclusion_px);
   const std::vector<ThinPixel> thin = thin_pixels(truth.disparity, limit_px);
   const Recall plain = recall_of(place.view, thin), kept = recall_of(keeping, thin);
@@ -112,10 +112,11 @@ ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
       {.what = laboratory.scene(kScene).title + " from " + name_of(place.view.position),
        .truth = &truth.colour,
        .synthesised = {{"Synthesised", &place.view.image}, {"Keeping thin structures", &keeping.image}},
-       .maps = {{"Thin pixels shown (white) or lost (red)", recall_map(truth.colour, thin, plain)},
-                {"The same, keeping thin structures", recall_map(truth.colour, thin, kept)}},
+       .maps = {{"Thin pixels", recall_map(truth.colour, thin, plain)},
+                {"Thin pixels, keeping", recall_map(truth.colour, thin, kept)}},
        .box = densest_box(plain.lost, crop_size(truth.colour.width(), truth.colour.height())),
-       .cut_row = {}},
+       .cut_row = {},
+       .note = "Thin pixels: white where the synthesis shows them, red where it does not"},
       columns, threads);
   const double invented = invented_share(place.view, truth.disparity, limit_px);
   const double invented_keeping = invented_share(keeping, truth.disparity, limit_px);
@@ -131,8 +132,8 @@ ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
 
   result.paper_shows =
       "Figure 33 shows that thin branches of the Tree and fine parts of its leaves are lost: surfaces "
-      "narrower "
-      "than 2 × 2 px lie between foreground and background in every key view, so the background is shown.";
+      "narrower than 2 × 2 px lie between foreground and background in every key view, so the background is "
+      "shown.";
   if (thin.empty()) {
     result.ours_shows = "The true view holds no surface narrower than 2 × 2 px in this run.";
     result.differs = "Nothing can be compared.";
@@ -140,20 +141,16 @@ ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
   }
   result.ours_shows = fmt::format(
       "{} pixels of the true view belong to surfaces narrower than 2 × 2 px. The synthesis as in the thesis "
-      "shows "
-      "the structure at {} of them. Our variant that keeps thin structures shows it at {}; pixels where a "
-      "view "
-      "shows something nearer than the truth are {} with it and {} without. PSNR in the enlarged part, the "
-      "one "
-      "that lost most: {:.1f} dB as in the thesis, {:.1f} dB with the variant (whole view {:.1f} and {:.1f} "
-      "dB).",
+      "shows the structure at {} of them. Our variant that keeps thin structures shows it at {}; pixels "
+      "where a view shows something nearer than the truth are {} with it and {} without. PSNR in the "
+      "enlarged part, the one that lost most: {:.1f} dB as in the thesis, {:.1f} dB with the variant (whole "
+      "view {:.1f} and {:.1f} dB).",
       thin.size(), percent(plain.share), percent(kept.share), percent(invented_keeping), percent(invented),
       numbers.box[0].psnr_db, numbers.box[1].psnr_db, numbers.whole[0].psnr_db, numbers.whole[1].psnr_db);
-  result.differs =
-      plain.share < 0.5
-          ? "They agree: most thin structures are lost by the method of the thesis."
-          : "They differ: most pixels of thin structures survive here, because neighbouring pixels of larger "
-            "surfaces cover them.";
+  result.differs = plain.share < 0.5
+                       ? "They agree: most thin structures are lost by the method of the thesis."
+                       : "They differ: most pixels of thin structures survive here, because neighbouring "
+                         "pixels of larger surfaces cover them.";
   if (kept.share > plain.share)
     result.differs += fmt::format(" The variant brings back {} of what is lost.",
                                   percent((kept.share - plain.share) / (1 - plain.share)));

@@ -20,17 +20,15 @@ ReproductionResult reproduce_light_shafts(Laboratory& laboratory) {
       "disagree most within one crop; enlarged is the part with the largest error among pixels that all key "
       "views see. There the PSNR is {:.1f} dB (whole view {:.1f} dB), and the error is {:.1f} times that of "
       "the rest of the view. Along the camera motion the error of these columns is {:.3f} (encoded RMS) at "
-      "key "
-      "views and {:.3f} midway between them.",
+      "key views and {:.3f} midway between them.",
       name_of(study.place.view.position), study.place.searched, study.pictures.box[0].psnr_db,
       study.pictures.whole[0].psnr_db, study.error_concentration, study.epi->rms_at_keys,
       study.epi->rms_between);
-  result.differs =
-      fades
-          ? "They agree: copies of the shafts appear between key views and vanish at them. The error between "
-            "key views includes the noise of the true views, which are rendered with other random numbers."
-          : "They differ: the error hardly changes between key views and the positions between them, so that "
-            "copies fading in and out are not what dominates it in this run.";
+  result.differs = fades
+                       ? "They agree: copies of the shafts appear between key views and vanish at them. What "
+                         "error remains at key views is their path tracing noise."
+                       : "They differ: the error hardly changes between key views and the positions between "
+                         "them, so that copies fading in and out are not what dominates it in this run.";
   return result;
 }
 

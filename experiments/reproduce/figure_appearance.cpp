@@ -60,7 +60,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
       laboratory.synthesizer(options.scene), cell_positions(field.grid(), options.offsets), threads,
       options.at_borders ? jump_at_visibility_borders(field) : disagreement_of_views(field));
   const NovelView<SceneReferred>& view = study.place.view;
-  const SceneImage truth = laboratory.truth(options.scene, view.position).colour;
+  const SceneImage truth = laboratory.truth(options.scene, view.position, kTruthPathFactor).colour;
   const Plane<float> error = appearance_error(view, truth);
   const PixelBox box =
       options.at_borders ? study.place.box : densest_box(error, crop_size(truth.width(), truth.height()));
@@ -84,7 +84,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   study.pictures = add_pictures(result, pictures, columns, threads);
   if (options.with_epi)
     study.epi = add_epi(result, record_epi(laboratory, options.scene, view.position, row), box,
-                        exposure_from(crop(truth, box)), what, columns);
+                        crop_exposure(truth, box), what, columns);
   result.rows.add({"rms_disagreement", study.rms_disagreement, "1", columns});
   result.rows.add({"error_concentration", study.error_concentration, "1", columns});
   return study;

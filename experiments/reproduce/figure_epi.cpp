@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "analysis/epi.h"
 #include "core/image/colour.h"
+#include "experiments/reproduce/figure_pictures.h"
 #include "metrics/error_map.h"
 #include "metrics/psnr.h"
 
@@ -40,8 +42,13 @@ double mean_error_at(const EpiPair& epi, const std::vector<double>& errors, doub
 
 std::vector<double> errors_of_frames(const EpiPair& epi, const PixelBox& box, float exposure) {
   std::vector<double> errors;
-  for (int frame = 0; frame < epi.truth.height(); ++frame)
-    errors.push_back(rms_difference(epi.synthesised, epi.truth, exposure, {box.x, frame, box.width, 1}));
+  for (int frame = 0; frame < epi.truth.height(); ++frame) {
+    const PixelBox part{box.x, frame, box.width, 1};
+    const Plane<float> squares =
+        smoothed_squared_difference(crop(epi.synthesised, part), crop(epi.truth, part), exposure);
+    const double sum = std::accumulate(squares.pixels().begin(), squares.pixels().end(), 0.0);
+    errors.push_back(std::sqrt(sum / box.width));
+  }
   return errors;
 }
 
@@ -49,7 +56,7 @@ ReportPlot error_plot(const EpiPair& epi, const std::vector<double>& errors) {
   Plot plot;
   plot.x.title = "Camera position s";
   plot.x.unit = "column spacings";
-  plot.y.title = "RMS difference, encoded";
+  plot.y.title = "RMS difference, encoded luma";
   plot.y.minimum = 0;
   plot.key = KeyPosition::kNone;
   PlotSeries series{"", PlotSeries::Style::kLinesPoints, {}};
@@ -89,7 +96,8 @@ EpiPair record_epi(Laboratory& laboratory, const std::string& scene, CameraPosit
         rows[i] = crop(view.image, {0, row, view.image.width(), 1});
       });
   result.synthesised = epi(rows, EpiDirection::kRow, 0);
-  result.truth = epi(laboratory.truth_rows(scene, result.positions, row), EpiDirection::kRow, 0);
+  result.truth =
+      epi(laboratory.truth_rows(scene, result.positions, row, kTruthPathFactor), EpiDirection::kRow, 0);
   const auto nearest = std::min_element(result.positions.begin(), result.positions.end(),
                                         [&](const CameraPosition& a, const CameraPosition& b) {
                                           return std::abs(a.s - at.s) < std::abs(b.s - at.s);

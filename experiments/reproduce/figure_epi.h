@@ -26,8 +26,10 @@ EpiPair record_epi(Laboratory& laboratory, const std::string& scene, CameraPosit
 
 /// What an epipolar image says about the part of the row that is enlarged.
 struct EpiNumbers {
-  double psnr_db = 0;      ///< all frames, columns of the box
-  double rms_at_keys = 0;  ///< encoded RMS difference, mean over frames on (or next to) a column of key views
+  double psnr_db = 0;  ///< all frames, columns of the box
+  /// RMS difference of encoded luma smoothed over 5 columns, mean over frames on (or next to) a column of key
+  /// views.
+  double rms_at_keys = 0;
   double rms_between = 0;  ///< the same over frames midway between two columns
 };
 

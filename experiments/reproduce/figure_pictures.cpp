@@ -47,13 +47,17 @@ std::string difference_label(const FigurePictures& pictures, const LabelledView&
   return pictures.synthesised.size() == 1 ? "Difference" : "Difference, " + view.label;
 }
 
+std::string note_of(const FigurePictures& pictures) {
+  return pictures.note.empty() ? "" : ". " + pictures.note;
+}
+
 ImageComparison whole_views(const FigurePictures& pictures, const ComparisonConditions& conditions) {
   const auto marked = [&](DisplayImage image) {
     if (pictures.cut_row) image = mark_row(std::move(image), *pictures.cut_row);
     return mark_box(std::move(image), pictures.box);
   };
   const std::string cut = pictures.cut_row ? "; green: the row of the epipolar image" : "";
-  ImageComparison shown{pictures.what + ". Red: the part enlarged below" + cut,
+  ImageComparison shown{pictures.what + ". Red: the part enlarged below" + cut + note_of(pictures),
                         pictures.what + ", views to compare",
                         {{"Ground truth", marked(expose(*pictures.truth, conditions.exposure))}}};
   for (const LabelledView& view : pictures.synthesised)
@@ -68,10 +72,10 @@ ImageComparison whole_views(const FigurePictures& pictures, const ComparisonCond
 ImageComparison enlarged(const FigurePictures& pictures, const ComparisonConditions& conditions) {
   const auto enlarge = [](const DisplayImage& image) { return magnify(image, kMagnification); };
   const SceneImage truth = crop(*pictures.truth, pictures.box);
-  ImageComparison shown{fmt::format("{}, enlarged {} times; brightness adjusted to the part shown",
-                                    pictures.what, kMagnification),
-                        pictures.what + ", enlarged, to compare",
-                        {{"Ground truth", enlarge(expose(truth, conditions.exposure))}}};
+  ImageComparison shown{
+      fmt::format("{}, enlarged {} times{}", pictures.what, kMagnification, note_of(pictures)),
+      pictures.what + ", enlarged, to compare",
+      {{"Ground truth", enlarge(expose(truth, conditions.exposure))}}};
   for (const LabelledView& view : pictures.synthesised)
     shown.images.push_back(
         {view.label, enlarge(expose(crop(*view.image, pictures.box), conditions.exposure))});
@@ -90,7 +94,7 @@ PictureNumbers add_pictures(ReproductionResult& result, const FigurePictures& pi
   PLENOLAB_CHECK(!pictures.synthesised.empty(), "no synthesised view");
   const SceneImage truth_inside = crop(*pictures.truth, pictures.box);
   const auto whole = conditions_at(figure_exposure(*pictures.truth), threads);
-  const auto inside = conditions_at(exposure_from(truth_inside), threads);
+  const auto inside = conditions_at(crop_exposure(*pictures.truth, pictures.box), threads);
   PictureNumbers numbers;
   std::vector<SceneImage> radiance{*pictures.truth};
   for (const LabelledView& view : pictures.synthesised) {

@@ -11,6 +11,9 @@
 
 namespace plenolab {
 
+/// True views of the figures take this many times the paths of the key views: their noise would hide effects.
+inline constexpr int kTruthPathFactor = 4;
+
 /// Encoded differences above this are called visible in the figures: well above path tracing noise.
 inline constexpr double kVisibleDifference = 0.1;
 
@@ -28,6 +31,7 @@ struct FigurePictures {
   std::vector<ReportImage> maps;          ///< of the views' size, e.g. visibility
   PixelBox box;                           ///< what is enlarged
   std::optional<int> cut_row;             ///< of the epipolar image, marked green
+  std::string note;  ///< a sentence for the captions, e.g. what a map means; may be empty
 };
 
 /// Error of a view or of a part of it.
@@ -42,9 +46,8 @@ struct PictureNumbers {
 };
 
 /// Adds two comparisons: the whole views, and the box enlarged four times. The whole views are shown and
-/// measured at the figure_exposure of the truth, the box at the exposure that brings the 99th percentile of
-/// the truth inside it to 1. Rows: psnr_gamma_db, ssim_gamma,
-/// visible_share and exposure with the columns given, then view and region ("whole", "crop").
+/// measured at the figure_exposure of the truth, the box at its crop_exposure. Rows: psnr_gamma_db,
+/// ssim_gamma, visible_share and exposure with the columns given, then view and region ("whole", "crop").
 PictureNumbers add_pictures(ReproductionResult& result, const FigurePictures& pictures,
                             const Columns& columns, int threads);
 

@@ -28,25 +28,25 @@ float nearest_shown(const PixelProvenance& provenance) {
   return disparity;
 }
 
-double painted_over_share(const NovelView<SceneReferred>& view, const KeyView<SceneReferred>& truth) {
-  const float exposure = figure_exposure(truth.colour);
-  const DisplayImage ours = expose(view.image, exposure), theirs = expose(truth.colour, exposure);
-  int wrong = 0, painted_over = 0;
-  for (std::size_t n = 0; n < ours.size(); ++n) {
-    const Rgb d = ours.pixels()[n] - theirs.pixels()[n];
-    const float largest = std::max({std::abs(d.r), std::abs(d.g), std::abs(d.b)});
-    if (view.restored.pixels()[n] == 0 || static_cast<double>(largest) <= kVisibleDifference) continue;
-    ++wrong;
-    if (truth.disparity.pixels()[n] > nearest_shown(view.provenance.pixels()[n]) + 1) ++painted_over;
-  }
-  return wrong == 0 ? 0.0 : static_cast<double>(painted_over) / wrong;
+Mask restored_background(const NovelView<SceneReferred>& view, const DisparityMap& truth) {
+  Mask mask = view.restored;
+  for (std::size_t n = 0; n < mask.size(); ++n)
+    if (std::abs(truth.pixels()[n] - nearest_shown(view.provenance.pixels()[n])) > 1) mask.pixels()[n] = 0;
+  return mask;
+}
+
+Plane<float> error_of_effect(const Place& place, const SceneImage& truth) {
+  Plane<float> error = smoothed_squared_difference(place.view.image, truth, figure_exposure(truth));
+  for (std::size_t n = 0; n < error.size(); ++n)
+    if (place.effect.pixels()[n] <= 0) error.pixels()[n] = 0;
+  return error;
 }
 
 }  // namespace
 
 std::optional<RestorationStudy> study_restoration(ReproductionResult& result, Laboratory& laboratory,
                                                   const std::string& scene, const EffectMeasure& measure,
-                                                  const std::string& region) {
+                                                  const std::string& region, RestorationCrop enlarged) {
   const int threads = laboratory.options().threads;
   const Synthesizer& synthesizer = laboratory.synthesizer(scene);
   RestorationStudy study;
@@ -58,7 +58,12 @@ std::optional<RestorationStudy> study_restoration(ReproductionResult& result, La
   without.restore = false;
   without.threads = threads;
   const auto before = synthesizer.synthesize(after.position, without);
-  const auto truth = laboratory.truth(scene, after.position);
+  const auto truth = laboratory.truth(scene, after.position, kTruthPathFactor);
+  const Mask background = restored_background(after, truth.disparity);
+  study.place.box =
+      densest_box(enlarged == RestorationCrop::kWorst ? error_of_effect(study.place, truth.colour)
+                                                      : as_weights(background),
+                  study.place.box.width);
 
   const Columns columns{{"scene", scene}, {"position", name_of(after.position)}};
   study.pictures = add_pictures(
@@ -76,8 +81,7 @@ std::optional<RestorationStudy> study_restoration(ReproductionResult& result, La
   study.effect = numbers_of(mask_of(study.place.effect), region);
   study.restored = numbers_of(after.restored, "restored");
   study.others = numbers_of(inverse(after.restored), "not restored");
-  study.painted_over_share = painted_over_share(after, truth);
-  result.rows.add({"painted_over_share", study.painted_over_share, "1", columns});
+  study.background = numbers_of(background, "restored, background in truth");
   result.rows.add({"unseen_pixels", static_cast<double>(after.unseen_pixels), "px", columns});
   return study;
 }

@@ -16,15 +16,21 @@ struct RestorationStudy {
   std::optional<MaskedNumbers> restored;  ///< all restored pixels
   std::optional<MaskedNumbers> others;    ///< all pixels that were not restored
   PictureNumbers pictures;                ///< [0] before, [1] after restoration
-  /// Of the visibly wrong restored pixels, the share where the truth shows a surface nearer by more than 1 px
-  /// of disparity than what was restored: background painted over an occluder.
-  double painted_over_share = 0;
+  /// Restored pixels where the truth, too, shows a surface as far as what was restored (to 1 px of
+  /// disparity): the others have background painted over a lost occluder.
+  std::optional<MaskedNumbers> background;
+};
+
+/// Which part is enlarged.
+enum class RestorationCrop {
+  kWorst,       ///< where pixels of the effect are farthest from the truth
+  kBackground,  ///< where most pixels are restored that show the same background in the truth
 };
 
 /// Finds the position where `measure` shows most (nothing if it shows nowhere), renders the truth there, and
 /// adds pictures and rows. `region` names the effect's pixels in the rows.
 std::optional<RestorationStudy> study_restoration(ReproductionResult& result, Laboratory& laboratory,
                                                   const std::string& scene, const EffectMeasure& measure,
-                                                  const std::string& region);
+                                                  const std::string& region, RestorationCrop enlarged);
 
 }  // namespace plenolab

@@ -87,8 +87,12 @@ float figure_exposure(const SceneImage& truth) {
   return bright > 0 ? static_cast<float>(1 / bright) : exposure_from(truth);
 }
 
+float crop_exposure(const SceneImage& truth, const PixelBox& box) {
+  return std::max(figure_exposure(truth), exposure_from(crop(truth, box)));
+}
+
 int crop_size(int width, int height) {
-  return std::min({std::max(16, width / 8), width, height});
+  return std::min({std::max(16, width / 6), width, height});
 }
 
 PixelBox densest_box(const Plane<float>& weights, int size) {

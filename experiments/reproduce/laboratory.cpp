@@ -117,18 +117,19 @@ const Synthesizer& Laboratory::synthesizer(const std::string& id) {
   return *s.synthesizer;
 }
 
-KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition position) {
+KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition position, int path_factor) {
   SceneState& s = state(id);
   if (!s.prepared) s.prepared.emplace(s.scene);
-  return render_prepared(*s.prepared, grid(id), position, paths_per_pixel(id));
+  return render_prepared(*s.prepared, grid(id), position, path_factor * paths_per_pixel(id));
 }
 
 std::vector<SceneImage> Laboratory::truth_rows(const std::string& id,
-                                               const std::vector<CameraPosition>& positions, int row) {
+                                               const std::vector<CameraPosition>& positions, int row,
+                                               int path_factor) {
   SceneState& s = state(id);
   if (!s.prepared) s.prepared.emplace(s.scene);
   const ViewGrid views = grid(id);
-  RenderSettings one_row = settings(paths_per_pixel(id));
+  RenderSettings one_row = settings(path_factor * paths_per_pixel(id));
   one_row.row_begin = row;
   one_row.row_end = row + 1;
   one_row.threads = 1;  // a row is one piece of work: the rows are shared out instead

@@ -60,12 +60,13 @@ class Laboratory {
   int paths_per_pixel(const std::string& id);
   LightField light_field(const std::string& id);
   const Synthesizer& synthesizer(const std::string& id);
-  /// The rendered view at a position of the scene's grid.
-  KeyView<SceneReferred> truth(const std::string& id, CameraPosition position);
+  /// The rendered view at a position of the scene's grid, with `path_factor` ≥ 1 times the paths of the key
+  /// views, for truth with less noise (not in a tiny run).
+  KeyView<SceneReferred> truth(const std::string& id, CameraPosition position, int path_factor = 1);
   /// Row `row` of the views at these positions, as in truth(): one image one pixel high for each. Costs no
   /// more than these rows, which do not count as views in the tally.
   std::vector<SceneImage> truth_rows(const std::string& id, const std::vector<CameraPosition>& positions,
-                                     int row);
+                                     int row, int path_factor = 1);
 
   /// A view of any scene, e.g. a probe scene or an altered copy (set Scene::variant). `paths_per_pixel` ≥ 16,
   /// lowered to 16 in a tiny run. Another `seed_offset` gives the same view with independent noise.
