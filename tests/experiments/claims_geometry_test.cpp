@@ -55,9 +55,9 @@ TEST(Probes, SynthesisReproducesAFlatWorldWithoutOccluders) {
   const auto view = synthesize(flat_light_field(world, grid, "plane"), {0.3, 0.6});
   const SceneImage truth = flat_view(world, grid, {0.3, 0.6}).colour;
   ErrorSum sum;
-  for (const float square : squared_error(view.image, truth, 1).pixels())
-    sum.add(static_cast<double>(square));
-  EXPECT_LT(sum.rms(), 0.02);
+  const Plane<float> squares = squared_error(view.image, truth, 1);
+  for (const float square : squares.pixels()) sum.add(static_cast<double>(square));
+  EXPECT_LT(sum.rms(), 0.005);
 }
 
 TEST(Probes, SealingTellsScenesApartByGeometryAndTexture) {
@@ -160,8 +160,8 @@ TEST(GeometryClaims, EveryClaimOnProbesIsDecidedOnFiniteNumbersInATinyRun) {
   options.effort = Effort::kTiny;
   options.threads = 1;
   Laboratory laboratory(options);
-  for (const Reproduction* item : select_reproductions(
-           {"altmeier-claim-g3", "altmeier-claim-g5", "altmeier-claim-g7", "altmeier-claim-g8"})) {
+  for (const Reproduction* item :
+       select_reproductions({"altmeier-claim-g5", "altmeier-claim-g7", "altmeier-claim-g8"})) {
     const ReproductionResult result = item->run(laboratory);
     EXPECT_FALSE(result.rows.empty()) << item->id;
     ASSERT_FALSE(result.ledger.empty()) << item->id;

@@ -40,8 +40,8 @@ StepErrors errors_of(Laboratory& laboratory, const std::string& id, CameraPositi
     options.threads = laboratory.options().threads;
     const SceneImage view = laboratory.synthesizer(id).synthesize(position, options).image;
     ErrorSum sum;
-    for (const float square : squared_error(view, truth, exposure).pixels())
-      sum.add(static_cast<double>(square));
+    const Plane<float> squares = squared_error(view, truth, exposure);
+    for (const float square : squares.pixels()) sum.add(static_cast<double>(square));
     errors.rms[k] = sum.rms();
   }
   return errors;
