@@ -138,8 +138,10 @@ LedgerEntry water_entry(const Setting& flat, const Setting& water) {
   entry.verdict.explanation = fmt::format(
       "Copy strength on rippled water at {:g} m spacing over that on a flat mirror at {:g} m; hidden means "
       "that "
-      "less than half is left.",
-      water.spacing_m, flat.spacing_m);
+      "less than half is left. The measure also counts the blur that merged copies leave: {:.1f} separate "
+      "spots "
+      "per lamp are left of {:.1f}.",
+      water.spacing_m, flat.spacing_m, water.spots.estimate, flat.spots.estimate);
   return entry;
 }
 
@@ -170,11 +172,10 @@ std::string difference_sentence(const Surface& flat, const Surface& rippled) {
       "take away {:.2f} of the copy strength, the denser grid {:.2f}. ",
       by_ripples, by_density);
   text += fmt::format(
-      "The lamps here are about 4 px wide and copies stand {:.1f} px apart at {:g} m: what hides copies is "
-      "that "
-      "they are displaced by less than the size of what is reflected, as with the Boats scene's lanterns, "
-      "near "
-      "which only outlines blur. ",
+      "Copy strength does not tell copies from the blur that they merge into: the lamps here are about 4 px "
+      "wide "
+      "and copies stand {:.1f} px apart at {:g} m, so that the spots counted there are the better guide to "
+      "whether a viewer sees single copies. ",
       flat.settings[kDense].displacement_px, flat.settings[kDense].spacing_m);
   const double flat_error = flat.settings[kDense].error.estimate,
                rippled_error = rippled.settings[kDense].error.estimate;
