@@ -58,7 +58,8 @@ ReproductionResult reproduce_claim_g4(Laboratory& laboratory) {
   for (const auto& study : convex) hidden_convex += study.hidden();
   for (const auto& study : concave) hidden_concave += study.hidden(), unseen_concave += study.unseen();
   result.differs = fmt::format(
-      "Geometry alone, without sampling and search, hides background from all four key views for {} of the "
+      "Geometry alone, without sampling and search, hides a block of 3 × 3 px from all four key views for {} "
+      "of the "
       "convex and "
       "{} of the concave placements; synthesis misses some for {} of the concave ones. {}",
       hidden_convex, hidden_concave, unseen_concave, causes_text(mean_causes(concave)));

@@ -52,7 +52,7 @@ ReproductionResult reproduce_claim_g5(Laboratory& laboratory) {
   result.differs = fmt::format(
       "Our occluders stand close together and are larger than their displacement between key views; far "
       "apart or small "
-      "they act as single ones. Geometry alone hides background from all key views in {} of the {} "
+      "they act as single ones. Geometry alone hides a block of 3 × 3 px from all key views in {} of the {} "
       "placements, synthesis "
       "misses some in {}. {}",
       hidden, placements, unseen, causes_text(mean_causes(studies)));

@@ -44,7 +44,8 @@ ReproductionResult reproduce_claim_g7(Laboratory& laboratory) {
       interval_text({100 * share.estimate, 100 * share.low, 100 * share.high}),
       outcome_text(verdict.outcome));
   result.differs = fmt::format(
-      "Geometry alone leaves background to no key view in {} of {} placements, synthesis in {}. {} The "
+      "Geometry alone leaves a block of 3 × 3 px to no key view in {} of {} placements, synthesis in {}. {} "
+      "The "
       "strips are no wider "
       "than the disparity of the background, so a far background hardly shows them.",
       hidden, placements, unseen, causes_text(mean_causes(studies)));
