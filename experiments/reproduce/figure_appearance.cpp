@@ -12,6 +12,7 @@ namespace plenolab {
 namespace {
 
 constexpr int kSparserStride = 2;
+constexpr int kSmoothingRadius = 4;  // of errors by which the enlarged part is chosen: fireflies do not count
 
 /// The view from the same place, from every other key view only; nothing if the position is not between them.
 std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& field, CameraPosition position,
@@ -27,7 +28,8 @@ std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& fiel
 
 /// Error of the pixels whose surface every key view sees: it comes from appearance, not from geometry.
 Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth) {
-  Plane<float> error = smoothed_squared_difference(view.image, truth, figure_exposure(truth));
+  Plane<float> error =
+      smoothed_squared_difference(view.image, truth, figure_exposure(truth), kSmoothingRadius);
   for (std::size_t n = 0; n < error.size(); ++n)
     if (view.visible_views.pixels()[n] < view.views.size()) error.pixels()[n] = 0;
   return error;

@@ -134,13 +134,13 @@ Plane<float> box_mean(const Plane<float>& values, int radius) {
   return means;
 }
 
-Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference,
-                                         float exposure) {
+Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
+                                         int radius) {
   Plane<float> difference(test.width(), test.height());
   for (std::size_t i = 0; i < test.size(); ++i)
     difference.pixels()[i] =
         encoded_luma(test.pixels()[i], exposure) - encoded_luma(reference.pixels()[i], exposure);
-  Plane<float> smooth = box_mean(difference, 2);
+  Plane<float> smooth = box_mean(difference, radius);
   for (float& v : smooth.pixels()) v *= v;
   return smooth;
 }

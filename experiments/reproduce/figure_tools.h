@@ -55,9 +55,10 @@ int densest_row(const Plane<float>& weights, const PixelBox& box);
 /// Mean over the (2·radius + 1)² pixels around each pixel, as far as they lie in the image.
 Plane<float> box_mean(const Plane<float>& values, int radius);
 
-/// Squared difference of encoded luminance, smoothed over 5×5 px before it is squared, so that noise counts
-/// little and misplaced content much.
-Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure);
+/// Squared difference of encoded luminance, smoothed over (2·radius + 1)² px before it is squared, so that
+/// noise counts little and misplaced content much.
+Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
+                                         int radius = 2);
 
 /// Number of pixels that are not 0.
 std::size_t count_set(const Mask& mask);
