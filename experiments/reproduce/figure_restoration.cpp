@@ -31,7 +31,7 @@ float nearest_shown(const PixelProvenance& provenance) {
 Mask restored_background(const NovelView<SceneReferred>& view, const DisparityMap& truth) {
   Mask mask = view.restored;
   for (std::size_t n = 0; n < mask.size(); ++n)
-    if (std::abs(truth.pixels()[n] - nearest_shown(view.provenance.pixels()[n])) > 1) mask.pixels()[n] = 0;
+    if (std::max(truth.pixels()[n], nearest_shown(view.provenance.pixels()[n])) > 1) mask.pixels()[n] = 0;
   return mask;
 }
 
@@ -81,7 +81,7 @@ std::optional<RestorationStudy> study_restoration(ReproductionResult& result, La
   study.effect = numbers_of(mask_of(study.place.effect), region);
   study.restored = numbers_of(after.restored, "restored");
   study.others = numbers_of(inverse(after.restored), "not restored");
-  study.background = numbers_of(background, "restored, background in truth");
+  study.background = numbers_of(background, "restored, far background in truth");
   result.rows.add({"unseen_pixels", static_cast<double>(after.unseen_pixels), "px", columns});
   return study;
 }
