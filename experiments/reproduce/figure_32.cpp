@@ -28,19 +28,22 @@ ReproductionResult reproduce_restored_sky(Laboratory& laboratory) {
       static_cast<double>(background.pixels) / static_cast<double>(restored.pixels);
   result.ours_shows = fmt::format(
       "From {}, of {} positions the one with most restored pixels in one crop, {} pixels are seen by no key "
-      "view and restored. At {} of them the truth shows that background, too; of these {} differ visibly "
-      "(encoded difference above {}), PSNR {:.1f} dB. Enlarged is the part with most of them: restoration "
-      "raises its PSNR from {:.1f} to {:.1f} dB.",
+      "view "
+      "and restored. At {} of them truth and restoration both show the far background, sky and horizon; of "
+      "these "
+      "{} differ visibly (encoded difference above {}), PSNR {:.1f} dB. Enlarged is the part with most of "
+      "them: "
+      "restoration raises its PSNR from {:.1f} to {:.1f} dB.",
       name_of(study->place.view.position), study->place.searched, restored.pixels, percent(background_share),
       percent(background.visible_share), kVisibleDifference, background.psnr_db,
       study->pictures.box[0].psnr_db, study->pictures.box[1].psnr_db);
-  result.differs =
-      background.pixels > 0 && background.visible_share < kFewVisible
-          ? "They agree: where background belongs, restoration finds the right colour. "
-          : "They differ: even where background belongs, many restored pixels are visibly wrong. ";
+  result.differs = background.pixels > 0 && background.visible_share < kFewVisible
+                       ? "They agree: where sky belongs, restoration finds the right colour. "
+                       : "They differ: even where sky belongs, many restored pixels are visibly wrong. ";
   result.differs += fmt::format(
-      "At the other {} of the restored pixels the truth shows a leaf, a twig or grass, and background is "
-      "painted over it: that is the loss of fine structures of figure 33, which the thesis shows apart.",
+      "At the other {} of the restored pixels the truth shows leaves, twigs or grass, or restoration does: "
+      "that "
+      "is the loss of fine structures of figure 33, which the thesis shows apart.",
       percent(1 - background_share));
   return result;
 }

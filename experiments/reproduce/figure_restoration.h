@@ -16,15 +16,14 @@ struct RestorationStudy {
   std::optional<MaskedNumbers> restored;  ///< all restored pixels
   std::optional<MaskedNumbers> others;    ///< all pixels that were not restored
   PictureNumbers pictures;                ///< [0] before, [1] after restoration
-  /// Restored pixels where the truth, too, shows a surface as far as what was restored (to 1 px of
-  /// disparity): the others have background painted over a lost occluder.
+  /// Restored pixels where truth and restoration both show the far background (disparity of at most 1 px).
   std::optional<MaskedNumbers> background;
 };
 
 /// Which part is enlarged.
 enum class RestorationCrop {
   kWorst,       ///< where pixels of the effect are farthest from the truth
-  kBackground,  ///< where most pixels are restored that show the same background in the truth
+  kBackground,  ///< where most pixels are restored that show the far background in the truth
 };
 
 /// Finds the position where `measure` shows most (nothing if it shows nowhere), renders the truth there, and
