@@ -219,7 +219,7 @@ TEST(Program, AnExistingFolderIsNeverOverwritten) {
 
 TEST(Program, RendererFoldersWithTheirOwnChannelNamesAreEvaluatedAsTheyAre) {
   const ProgramResult result =
-      run_program({"evaluate", kData / "blender-3x3", "--key-stride", "2", "--json", "-"});
+      run_program({"evaluate", outside_data() / "blender-3x3", "--key-stride", "2", "--json", "-"});
   ASSERT_EQ(result.status, 0) << result.err;
   const auto rows = nlohmann::json::parse(result.out).at("rows");
   const auto total = std::find_if(rows.begin(), rows.end(), [](const auto& row) {
