@@ -11,11 +11,10 @@
 
 namespace plenolab {
 
-/// Wall-clock time since construction or restart.
+/// Wall-clock time since construction.
 class Stopwatch {
  public:
   Stopwatch() : start_(std::chrono::steady_clock::now()) {}
-  void restart() { start_ = std::chrono::steady_clock::now(); }
   double seconds() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   }

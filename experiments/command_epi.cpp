@@ -49,6 +49,8 @@ DisplayImage cut(const std::vector<std::filesystem::path>& files, EpiDirection d
 
 void run_epi(const Invocation& invocation, const EpiOptions& options) {
   if ((options.row < 0) == (options.column < 0)) throw UsageError("give either --row Y or --column X");
+  if (options.stretch > 1 && !is_display_file(options.out))
+    throw UsageError("--stretch is for looking at a .png: leave it out for files that keep radiance");
   const auto files = image_files(options.frames);
   const EpiDirection direction = options.row >= 0 ? EpiDirection::kRow : EpiDirection::kColumn;
   Provenance provenance = begin_run(invocation, options.common);

@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/image/colour.h"
 #include "core/io/image_file.h"
+#include "core/lightfield/new_folder.h"
 #include "core/synthesis/visibility_map.h"
 #include "experiments/cli/arguments.h"
 #include "experiments/cli/inputs.h"
@@ -65,16 +66,15 @@ std::vector<int> parse_strides(const std::string& text) {
 
 template <class Referral>
 ResultTable evaluate_stride(const BasicLightField<Referral>& field, const EvaluateCommandOptions& options,
-                            int stride) {
+                            int stride, const fs::path& pictures) {
   EvaluateOptions evaluate_options = options.evaluate;
   evaluate_options.key_stride = stride;
   evaluate_options.synthesis.threads = options.common.threads;
-  const fs::path pictures =
-      options.out.empty() ? fs::path() : fs::path(options.out) / fmt::format("stride_{}", stride);
   ProgressBar bar(fmt::format("key stride {}", stride));
   return evaluate<Referral>(field, evaluate_options, bar.callback(),
                             [&](const EvaluatedView<Referral>& view) {
-                              if (!pictures.empty()) write_pictures(pictures, view);
+                              if (!pictures.empty())
+                                write_pictures(pictures / fmt::format("stride_{}", stride), view);
                             });
 }
 
@@ -91,21 +91,31 @@ void print_for_people(const ResultTable& table) {
                                  {"key_views", "key views"}}));
 }
 
+/// All strides; pictures go below `pictures` unless it is empty.
+ResultTable evaluate_strides(const AnyLightField& any, const EvaluateCommandOptions& options,
+                             const std::vector<int>& strides, const fs::path& pictures) {
+  ResultTable table;
+  for (const int stride : strides)
+    std::visit([&](const auto& field) { table.append(evaluate_stride(field, options, stride, pictures)); },
+               any);
+  return table;
+}
+
 void run_evaluate(const Invocation& invocation, const EvaluateCommandOptions& options) {
   const std::vector<int> strides = parse_strides(options.strides);
-  if (!options.out.empty() && fs::exists(options.out) && !fs::is_empty(options.out))
-    throw InputError(
-        fmt::format("{} exists and is not empty: give a new folder for the pictures", options.out));
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
   add_input(provenance, options.folder);
   ResultTable table;
-  for (const int stride : strides)
-    std::visit([&](const auto& field) { table.append(evaluate_stride(field, options, stride)); }, any);
-  finish_provenance(provenance);
-  if (!options.out.empty()) {
-    write_text_file(fs::path(options.out) / "results.csv", to_csv(table));
-    write_run_json(provenance, options.out);
+  if (options.out.empty()) {
+    table = evaluate_strides(any, options, strides, {});
+  } else {
+    write_folder_atomically(options.out, [&](const fs::path& folder) {
+      table = evaluate_strides(any, options, strides, folder);
+      finish_provenance(provenance);
+      write_text_file(folder / "results.csv", to_csv(table));
+      write_run_json(provenance, folder);
+    });
   }
   if (options.common.json != "-") print_for_people(table);
   write_results(table, provenance, options.common);

@@ -7,6 +7,7 @@
 #include "core/io/exr.h"
 #include "core/lightfield/light_field_folder.h"
 #include "experiments/cli/arguments.h"
+#include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
 #include "stimuli/render_cache.h"
@@ -46,6 +47,7 @@ void add_pruned_rows(ResultTable& table, const std::string& scene, const std::ve
 void render_one_view(const Scene& scene, const ViewGrid& grid, const RenderSettings& settings,
                      const RenderOptions& options, Provenance& provenance) {
   const CameraPosition position = parse_position(options.at);
+  require_extension(options.out, ".exr");
   ProgressBar bar("rendering " + scene.id);
   const CachedView view = render_view_cached(PreparedScene(scene), grid, position, settings,
                                              render_cache_folder(options.cache), bar.callback());

@@ -29,7 +29,11 @@ Effort effort_of(const std::string& preset) {
 }
 
 void print_list() {
-  for (const Reproduction& item : reproductions()) fmt::print("{:<26} {}\n", item.id, item.title);
+  std::string chapter;
+  for (const Reproduction& item : reproductions()) {
+    if (title_of(item.chapter) != chapter) fmt::print("{}\n", chapter = title_of(item.chapter));
+    fmt::print("  {:<20} {}\n", item.id, item.title);
+  }
 }
 
 ResultTable all_rows(const std::vector<FinishedReproduction>& finished) {

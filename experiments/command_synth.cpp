@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -40,8 +42,10 @@ void write_image(const std::string& path, const SceneImage& image) {
 void write_image(const std::string& path, const DisplayImage& image) {
   if (is_display_file(path))
     write_display_image(path, image);
-  else
+  else {
+    require_extension(path, ".exr");
     write_exr(path, image);
+  }
 }
 
 /// One plane of a correspondence's property in key view `index`.
@@ -76,16 +80,23 @@ void write_provenance(const std::string& path, const NovelView<Referral>& view) 
   write_exr(path, view.image, channels, {.colour_type = ExrPixelType::kFloat});
 }
 
+struct PixelIndex {
+  int x = 0, y = 0;
+};
+
+PixelIndex parse_pixel(const std::string& text, const ViewGrid& grid) {
+  const CameraPosition p = parse_position(text);
+  if (!(p.s >= 0 && p.t >= 0 && p.s < grid.width && p.t < grid.height) || p.s != std::floor(p.s) ||
+      p.t != std::floor(p.t))
+    throw UsageError(fmt::format("'{}' is not a pixel X,Y of the {}×{} view", text, grid.width, grid.height));
+  return {static_cast<int>(p.s), static_cast<int>(p.t)};
+}
+
 template <class Referral>
-ResultTable inspect_pixel(const NovelView<Referral>& view, const std::string& pixel) {
-  const CameraPosition p = parse_position(pixel);
-  const int x = static_cast<int>(p.s), y = static_cast<int>(p.t);
-  if (x != p.s || y != p.t || x < 0 || y < 0 || x >= view.image.width() || y >= view.image.height())
-    throw UsageError(fmt::format("'{}' is not a pixel X,Y of the {}×{} view", pixel, view.image.width(),
-                                 view.image.height()));
+ResultTable inspect_pixel(const NovelView<Referral>& view, PixelIndex pixel) {
   ResultTable table;
   for (std::size_t i = 0; i < view.views.size(); ++i) {
-    const Correspondence& c = view.provenance.at(x, y)[i];
+    const Correspondence& c = view.provenance.at(pixel.x, pixel.y)[i];
     const Columns columns{{"view", fmt::format("{},{}", view.views[i].column, view.views[i].row)},
                           {"state", std::string(kStateNames.at(static_cast<std::size_t>(c.state)))}};
     table.add({"correspondence_x", c.x, "px", columns});
@@ -124,12 +135,14 @@ ResultTable summary(const NovelView<Referral>& view) {
 template <class Referral>
 void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOptions& options,
                           Provenance& provenance) {
+  std::optional<PixelIndex> inspected;
+  if (!options.inspect.empty()) inspected = parse_pixel(options.inspect, field.grid());
   SynthesisOptions synthesis = options.synthesis;
   synthesis.threads = options.common.threads;
   synthesis.record_provenance = !options.provenance.empty() || !options.inspect.empty();
   const NovelView<Referral> view = synthesize(field, parse_position(options.at), synthesis);
   ResultTable table = summary(view);
-  if (!options.inspect.empty()) table.append(inspect_pixel(view, options.inspect));
+  if (inspected) table.append(inspect_pixel(view, *inspected));
   write_image(options.out, view.image);
   if (!options.visibility.empty()) write_display_image(options.visibility, visibility_map(view));
   if (!options.provenance.empty()) write_provenance(options.provenance, view);
@@ -138,6 +151,7 @@ void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOpt
 }
 
 void run_synth(const Invocation& invocation, const SynthOptions& options) {
+  if (!options.provenance.empty()) require_extension(options.provenance, ".exr");
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
   add_input(provenance, options.folder);

@@ -8,6 +8,7 @@
 #include "core/image/colour.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
+#include "core/lightfield/new_folder.h"
 #include "core/synthesis/synthesizer.h"
 #include "experiments/cli/arguments.h"
 #include "experiments/cli/inputs.h"
@@ -25,7 +26,7 @@ struct VideoOptions {
   CommonOptions common;
   SynthesisOptions synthesis;
   std::string folder, path, out;
-  std::string format = "exr";
+  std::string format;
   int frames = 60;
   double exposure = 0;
   int memory_mib = 2048;
@@ -39,12 +40,14 @@ float video_exposure(const LightField& field, double requested) {
 
 void write_frames(
     const LightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
+    const fs::path& folder,
     const std::function<void(std::size_t, const fs::path&, const NovelView<SceneReferred>&)>& written) {
-  const bool png = options.format == "png";
+  const std::string format = options.format.empty() ? "exr" : options.format;
+  const bool png = format == "png";
   const float exposure = png ? video_exposure(field, options.exposure) : 1;
   Synthesizer(field).synthesize_sequence(
       positions, options.synthesis, [&](std::size_t index, NovelView<SceneReferred>&& view) {
-        const fs::path file = fs::path(options.out) / fmt::format("frame_{:04}.{}", index, options.format);
+        const fs::path file = folder / fmt::format("frame_{:04}.{}", index, format);
         if (png)
           write_display_image(file, expose(view.image, exposure));
         else
@@ -55,47 +58,58 @@ void write_frames(
 
 void write_frames(
     const DisplayLightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
+    const fs::path& folder,
     const std::function<void(std::size_t, const fs::path&, const NovelView<DisplayReferred>&)>& written) {
+  if (options.format == "exr")
+    throw UsageError(
+        "the frames of a display-referred light field are written as .png: leave out --format exr");
   DisplaySynthesizer(field).synthesize_sequence(
       positions, options.synthesis, [&](std::size_t index, NovelView<DisplayReferred>&& view) {
-        const fs::path file = fs::path(options.out) / fmt::format("frame_{:04}.png", index);
+        const fs::path file = folder / fmt::format("frame_{:04}.png", index);
         write_display_image(file, view.image);
         written(index, file, view);
       });
 }
 
+void require_path_on_grid(const std::vector<CameraPosition>& positions, const ViewGrid& grid) {
+  for (const CameraPosition& p : positions)
+    if (!grid.contains(p))
+      throw InputError(fmt::format("the path leaves the grid at {:g},{:g}: it ends at {},{}", p.s, p.t,
+                                   grid.columns - 1, grid.rows - 1));
+}
+
+/// Writes all frames below `folder` and says what each took.
+ResultTable make_video(const AnyLightField& any, const std::vector<CameraPosition>& positions,
+                       const VideoOptions& options, const fs::path& folder) {
+  ResultTable table;
+  ProgressBar bar("synthesising");
+  const auto record = [&](std::size_t index, const fs::path& file, const auto& view) {
+    const Columns columns{{"frame", static_cast<long long>(index)},
+                          {"file", file.filename().string()},
+                          {"s", view.position.s},
+                          {"t", view.position.t}};
+    table.add({"unseen_pixels", static_cast<double>(view.unseen_pixels), "px", columns});
+    table.add({"seconds_synthesis", view.timings.total_s - view.timings.prepare_s, "s", columns});
+    bar.update(static_cast<double>(index + 1) / static_cast<double>(positions.size()));
+  };
+  std::visit([&](const auto& field) { write_frames(field, positions, options, folder, record); }, any);
+  return table;
+}
+
 void run_video(const Invocation& invocation, VideoOptions& options) {
   const std::vector<CameraPosition> positions = parse_path(options.path, options.frames);
   options.synthesis.threads = options.common.threads;
-  if (fs::exists(options.out) && !fs::is_empty(options.out))
-    throw InputError(
-        fmt::format("{} exists and is not empty: give a new folder for the frames", options.out));
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
   add_input(provenance, options.folder);
-  for (const CameraPosition& p : positions)
-    if (!grid_of(any).contains(p))
-      throw InputError(fmt::format("the path leaves the grid at {:g},{:g}: it ends at {},{}", p.s, p.t,
-                                   grid_of(any).columns - 1, grid_of(any).rows - 1));
+  require_path_on_grid(positions, grid_of(any));
   ResultTable table;
-  ProgressBar bar("synthesising");
-  std::visit(
-      [&](const auto& field) {
-        write_frames(
-            field, positions, options, [&](std::size_t index, const fs::path& file, const auto& view) {
-              const Columns columns{{"frame", static_cast<long long>(index)},
-                                    {"file", file.filename().string()},
-                                    {"s", view.position.s},
-                                    {"t", view.position.t}};
-              table.add({"unseen_pixels", static_cast<double>(view.unseen_pixels), "px", columns});
-              table.add({"seconds_synthesis", view.timings.total_s - view.timings.prepare_s, "s", columns});
-              bar.update(static_cast<double>(index + 1) / static_cast<double>(positions.size()));
-            });
-      },
-      any);
-  finish_provenance(provenance);
-  write_run_json(provenance, options.out);
-  write_text_file(fs::path(options.out) / "frames.csv", to_csv(table));
+  write_folder_atomically(options.out, [&](const fs::path& folder) {
+    table = make_video(any, positions, options, folder);
+    finish_provenance(provenance);
+    write_run_json(provenance, folder);
+    write_text_file(folder / "frames.csv", to_csv(table));
+  });
   tell(options.common, fmt::format("wrote {} frames to {}", positions.size(), options.out));
   if (!options.common.json.empty() || !options.common.csv.empty())
     emit_results(table, provenance, options.common);
@@ -112,9 +126,9 @@ void add_video_command(CLI::App& app, const Invocation& invocation) {
       ->capture_default_str();
   app.add_option("-o,--out", options->out, "Folder for frame_0000.exr, ... and frames.csv")->required();
   app.add_option("--format", options->format,
-                 "exr keeps radiance, png is exposed for display at one exposure")
-      ->check(CLI::IsMember({"exr", "png"}))
-      ->capture_default_str();
+                 "exr keeps radiance (default), png is exposed for display at one exposure (default of "
+                 "display-referred light fields)")
+      ->check(CLI::IsMember({"exr", "png"}));
   app.add_option("--exposure", options->exposure, "Exposure of .png frames")->check(CLI::PositiveNumber);
   app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
   add_synthesis_options(app, options->synthesis);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace plenolab {
@@ -59,7 +60,7 @@ float exposure_from(const SceneImage& truth) {
   const auto p99 =
       values.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(values.size() - 1) * 0.99);
   std::nth_element(values.begin(), p99, values.end());
-  return 1.0f / *p99;
+  return std::min(1.0f / *p99, std::numeric_limits<float>::max());  // of denormal radiance
 }
 
 }  // namespace plenolab

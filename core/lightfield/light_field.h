@@ -21,7 +21,8 @@ struct KeyView {
 /// Unit of the scene-referred radiance of a light field.
 enum class RadianceUnit { kCdM2, kRelative };
 
-/// Loads the key view of (column, row); called at most once at a time, from any thread.
+/// Loads the key view of (column, row). May be called from any thread, and for different views at the same
+/// time.
 template <class Referral>
 using ViewLoader = std::function<KeyView<Referral>(int column, int row)>;
 

@@ -45,8 +45,11 @@ struct BasicSynthesizer<Referral>::State {
     return nullptr;
   }
 
+  /// Keeps a view unless another thread has prepared the same one in the meantime.
   void keep(int column, int row, std::shared_ptr<const PreparedView> view) {
     const std::lock_guard lock(mutex);
+    const auto same = [&](const Entry& entry) { return entry.column == column && entry.row == row; };
+    if (std::any_of(entries.begin(), entries.end(), same)) return;
     bytes += view->memory_bytes();
     entries.push_front({column, row, std::move(view)});
     while (bytes > memory_bound && entries.size() > kMaxViews) {

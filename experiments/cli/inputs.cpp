@@ -47,6 +47,12 @@ const ViewGrid& grid_of(const AnyLightField& light_field) {
   return std::visit([](const auto& field) -> const ViewGrid& { return field.grid(); }, light_field);
 }
 
+void require_extension(const fs::path& path, const std::string& extension) {
+  if (lower_extension(path) != extension)
+    throw UsageError(
+        fmt::format("{} cannot be written: give a name that ends in {}", path.string(), extension));
+}
+
 bool is_display_file(const fs::path& path) {
   return lower_extension(path) == ".png";
 }

@@ -25,6 +25,10 @@ AnyImage read_any_image(const std::filesystem::path& path);
 /// Image files of a folder (frames of a video), sorted by name. Throws InputError if there are none.
 std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder);
 
+/// Throws UsageError unless the file's extension is `extension` (with its dot), which is what will be
+/// written.
+void require_extension(const std::filesystem::path& path, const std::string& extension);
+
 /// Whether the extension is that of a display-referred image.
 bool is_display_file(const std::filesystem::path& path);
 

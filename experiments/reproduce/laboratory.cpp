@@ -90,6 +90,7 @@ KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, c
                                                    std::uint64_t seed_offset) {
   CachedView view =
       render_view_cached(scene, grid, position, settings(paths_per_pixel, seed_offset), options_.cache);
+  const std::lock_guard lock(tally_mutex_);
   ++(view.from_cache ? tally_.from_cache : tally_.rendered);
   tally_.seconds += view.rendered.stats.seconds;
   tally_.rays += view.rendered.stats.rays();
@@ -145,6 +146,7 @@ std::vector<SceneImage> Laboratory::truth_rows(const std::string& id,
     }
   });
   const std::uint64_t all_rays = std::accumulate(rays.begin(), rays.end(), std::uint64_t{0});
+  const std::lock_guard lock(tally_mutex_);
   tally_.rays += all_rays;
   if (all_rays > 0) tally_.seconds += watch.seconds();
   return rows;

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -92,6 +93,7 @@ class Laboratory {
   LaboratoryOptions options_;
   std::map<std::string, std::unique_ptr<SceneState>> scenes_;
   std::map<std::string, PreparedScene> prepared_variants_;
+  std::mutex tally_mutex_;
   RenderingTally tally_;
 };
 

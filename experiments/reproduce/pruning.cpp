@@ -77,7 +77,7 @@ PruningOutcome prune_synthesis(const SynthesisCase& c, int threads) {
   options.prune = false;
   const auto full = synthesizer.synthesize(c.position, options);
   outcome.equal = pruned.image == full.image && pruned.unseen == full.unseen &&
-                  pruned.visible_views == full.visible_views;
+                  pruned.visible_views == full.visible_views && pruned.restored == full.restored;
   const auto median_seconds = [&](bool prune) {
     options.prune = prune;
     return time_repeated([&] { synthesizer.synthesize(c.position, options); }, {.runs = 5, .warm_up_runs = 0})
@@ -104,8 +104,11 @@ PruningOutcome prune_rendering(Laboratory& laboratory, const std::string& id) {
   const RenderedView pruned = render(true), full = render(false);
   PruningOutcome outcome{.part = "rendering", .stimulus = id, .stages = pruned.stats.pruned};
   outcome.equal = pruned.view.colour == full.view.colour && pruned.view.disparity == full.view.disparity;
-  outcome.seconds_pruned = std::min(pruned.stats.seconds, render(true).stats.seconds);
-  outcome.seconds_full = std::min(full.stats.seconds, render(false).stats.seconds);
+  const auto median_seconds = [&](bool prune) {
+    return time_repeated([&] { render(prune); }, {.runs = 3, .warm_up_runs = 0}).median_s;
+  };
+  outcome.seconds_pruned = median_seconds(true);
+  outcome.seconds_full = median_seconds(false);
   return outcome;
 }
 

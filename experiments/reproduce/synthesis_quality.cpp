@@ -6,6 +6,7 @@
 #include "core/image/colour.h"
 #include "core/synthesis/visibility_map.h"
 #include "experiments/cli/wide_table.h"
+#include "experiments/reproduce/figure_tools.h"
 #include "experiments/reproduce/reproduction.h"
 #include "experiments/score.h"
 #include "metrics/error_map.h"
@@ -20,8 +21,10 @@ struct SceneScore {
   std::vector<double> psnr_gamma_db, ssim, seconds;
 };
 
+/// Pictures at an exposure that shows interiors; the numbers are taken at the metrics' own.
 ImageComparison comparison_of(const std::string& title, const NovelView<SceneReferred>& novel,
-                              const SceneImage& truth, const ComparisonConditions& conditions) {
+                              const SceneImage& truth, ComparisonConditions conditions) {
+  conditions.exposure = figure_exposure(truth);
   return {fmt::format("{} from {:.2f},{:.2f}: ground truth, synthesis, encoded difference, visibility", title,
                       novel.position.s, novel.position.t),
           fmt::format("Views of {} to compare", title),
