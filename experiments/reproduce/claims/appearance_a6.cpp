@@ -120,7 +120,7 @@ std::vector<double> steps_at(const std::vector<Stimulus>& all, double distance, 
 }
 
 Interval mean_interval(const std::vector<double>& values, std::uint64_t seed) {
-  return bootstrap_interval(values, [](std::span<const double> v) { return mean(v); }, {.seed = seed});
+  return bootstrap_interval(values, mean, {.seed = seed});
 }
 
 struct KindResult {

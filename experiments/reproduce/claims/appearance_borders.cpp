@@ -13,7 +13,6 @@ namespace {
 
 // Neighbours of one surface: their true disparities differ by less.
 constexpr float kSameSurface_px = 0.5f;
-constexpr int kBlock_px = 8;
 constexpr int kEdgeMargin_px = 2;
 
 /// Whether two neighbours lie on one surface and are both seen.
@@ -45,25 +44,15 @@ double step_product(const TwinView& view, int x, int y, int nx, int ny) {
 
 std::vector<double> block_errors(const DisplayImage& synthesised, const DisplayImage& truth) {
   std::vector<double> squared;
-  for (int y0 = 0; y0 + kBlock_px <= truth.height(); y0 += kBlock_px)
-    for (int x0 = 0; x0 + kBlock_px <= truth.width(); x0 += kBlock_px) {
+  for (int y0 = 0; y0 + kErrorBlock_px <= truth.height(); y0 += kErrorBlock_px)
+    for (int x0 = 0; x0 + kErrorBlock_px <= truth.width(); x0 += kErrorBlock_px) {
       Rgb sum;
-      for (int y = y0; y < y0 + kBlock_px; ++y)
-        for (int x = x0; x < x0 + kBlock_px; ++x) sum += synthesised.at(x, y) - truth.at(x, y);
-      sum = sum * (1.0f / (kBlock_px * kBlock_px));
+      for (int y = y0; y < y0 + kErrorBlock_px; ++y)
+        for (int x = x0; x < x0 + kErrorBlock_px; ++x) sum += synthesised.at(x, y) - truth.at(x, y);
+      sum = sum * (1.0f / (kErrorBlock_px * kErrorBlock_px));
       squared.push_back(static_cast<double>(sum.r * sum.r + sum.g * sum.g + sum.b * sum.b) / 3);
     }
   return squared;
-}
-
-/// Key views that contribute to each pixel, one bit each.
-Plane<std::uint8_t> used_views(const NovelView<SceneReferred>& novel) {
-  Plane<std::uint8_t> bits(novel.image.width(), novel.image.height());
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    for (std::size_t view = 0; view < kMaxViews; ++view)
-      if (novel.provenance.pixels()[i][view].state == CorrespondenceState::kUsed)
-        bits.pixels()[i] = static_cast<std::uint8_t>(bits.pixels()[i] | (1u << view));
-  return bits;
 }
 
 double border_excess(const Plane<float>& error, const Plane<std::uint8_t>& views,
@@ -118,7 +107,7 @@ SceneError scene_error(Laboratory& laboratory, const std::string& scene_id, Came
   Plane<float> error(t.width(), t.height());
   for (std::size_t i = 0; i < error.size(); ++i)
     error.pixels()[i] = luminance(synthesised.pixels()[i] - t.pixels()[i]);
-  result.border_excess = border_excess(error, used_views(novel), truth.disparity);
+  result.border_excess = border_excess(error, contributing_views(novel, false), truth.disparity);
   const ComparisonConditions conditions;
   result.comparison = {
       fmt::format("{} from {:.2f},{:.2f}", laboratory.scene(scene_id).title, position.s, position.t),

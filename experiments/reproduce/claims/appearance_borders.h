@@ -14,10 +14,12 @@ namespace plenolab {
 /// surface are left out: there, errors of geometry of up to a pixel would count too.
 std::vector<double> squared_border_steps(std::span<const TwinView> views);
 
+inline constexpr int kErrorBlock_px = 8;
+
 /// Error of a view of a scene of the table, whose truth is rendered once.
 struct SceneError {
   float exposure = 1;
-  /// Squared means of the encoded error over 8 × 8 pixels (all channels), row by row.
+  /// Squared means of the encoded error over kErrorBlock_px² pixels (all channels), row by row.
   std::vector<double> squared_blocks;
   /// Mean absolute step of the error's luma across borders of visibility, less that between other neighbours
   /// of one surface; 0 without borders.

@@ -28,11 +28,6 @@ bool all_valid(const Mask& valid, const Window& window) {
   return window.width > 0 && window.height > 0;
 }
 
-Interval mean_interval(const std::vector<double>& values, std::uint64_t seed) {
-  if (values.empty()) return {};
-  return bootstrap_interval(values, [](std::span<const double> v) { return mean(v); }, {.seed = seed});
-}
-
 }  // namespace
 
 std::vector<TwinView> floor_views(Laboratory& laboratory, const FloorLook& look, double spacing_m) {
@@ -72,16 +67,22 @@ std::vector<LampCopies> copies_of_lamps(std::span<const TwinView> views, const S
   return all;
 }
 
-Interval mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed) {
+std::optional<Interval> mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed) {
   std::vector<double> values;
   for (const LampCopies& lamp : lamps) values.push_back(lamp.spots);
   return mean_interval(values, seed);
 }
 
-Interval mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed) {
+std::optional<Interval> mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed) {
   std::vector<double> values;
   for (const LampCopies& lamp : lamps) values.push_back(lamp.strength);
   return mean_interval(values, seed);
+}
+
+double mean_truth_spots(std::span<const LampCopies> lamps) {
+  double sum = 0;
+  for (const LampCopies& lamp : lamps) sum += lamp.truth_spots;
+  return lamps.empty() ? 0 : sum / static_cast<double>(lamps.size());
 }
 
 }  // namespace plenolab

@@ -34,8 +34,10 @@ std::vector<LampCopies> copies_of_lamps(const TwinView& view, const Scene& scene
 std::vector<LampCopies> copies_of_lamps(std::span<const TwinView> views, const Scene& scene,
                                         const ViewGrid& grid);
 
-/// Mean of a member over lamps with its 95 % bootstrap interval; {0, 0, 0} for no lamps.
-Interval mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed);
-Interval mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed);
+/// Mean of a member over lamps with its 95 % bootstrap interval; empty for fewer than two lamps.
+std::optional<Interval> mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed);
+std::optional<Interval> mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed);
+/// Spots that the truth shows for each lamp by the same count; 0 for no lamps.
+double mean_truth_spots(std::span<const LampCopies> lamps);
 
 }  // namespace plenolab

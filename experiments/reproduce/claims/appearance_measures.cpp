@@ -12,20 +12,7 @@
 namespace plenolab {
 namespace {
 
-constexpr int kTilesX = 6, kTilesY = 4;
 constexpr int kLeastSpot_px = 3;
-
-/// Bits of the key views that contribute to each pixel.
-Plane<std::uint8_t> contributing_views(const NovelView<SceneReferred>& novel) {
-  Plane<std::uint8_t> bits(novel.image.width(), novel.image.height());
-  for (std::size_t i = 0; i < bits.size(); ++i)
-    for (std::size_t view = 0; view < kMaxViews; ++view) {
-      const CorrespondenceState state = novel.provenance.pixels()[i][view].state;
-      if (state == CorrespondenceState::kUsed || state == CorrespondenceState::kWeightZero)
-        bits.pixels()[i] = static_cast<std::uint8_t>(bits.pixels()[i] | (1u << view));
-    }
-  return bits;
-}
 
 double dot(Rgb a, Rgb b) {
   return (static_cast<double>(a.r) * static_cast<double>(b.r) +
@@ -46,7 +33,7 @@ TwinView render_twin(Laboratory& laboratory, const Probe& probe, CameraPosition 
     KeyView<SceneReferred> truth =
         laboratory.render(probe.scene, probe.grid, position, probe.paths_per_pixel, k);
     if (k == 0) {
-      twin.views = contributing_views(novel);
+      twin.views = contributing_views(novel, true);
       twin.disparity = std::move(truth.disparity);
     }
     twin.synthesised[k] = expose(novel.image, probe.exposure);
@@ -119,6 +106,17 @@ int clear_group(Plane<std::uint8_t>& bright, int x, int y) {
 
 }  // namespace
 
+Plane<std::uint8_t> contributing_views(const NovelView<SceneReferred>& novel, bool weightless) {
+  Plane<std::uint8_t> bits(novel.image.width(), novel.image.height());
+  for (std::size_t i = 0; i < bits.size(); ++i)
+    for (std::size_t view = 0; view < kMaxViews; ++view) {
+      const CorrespondenceState state = novel.provenance.pixels()[i][view].state;
+      if (state == CorrespondenceState::kUsed || (weightless && state == CorrespondenceState::kWeightZero))
+        bits.pixels()[i] = static_cast<std::uint8_t>(bits.pixels()[i] | (1u << view));
+    }
+  return bits;
+}
+
 ViewGrid appearance_grid(const Laboratory& laboratory, double spacing_m) {
   return laboratory.scaled({2, 2, spacing_m, spacing_m, 192, 108, 60});
 }
@@ -135,6 +133,7 @@ std::vector<TwinView> render_twins(Laboratory& laboratory, const Probe& probe) {
 
 TileErrors tile_errors(std::span<const TwinView> views) {
   TileErrors errors;
+  int first = 0;
   for (const TwinView& view : views) {
     const int width = view.valid.width(), height = view.valid.height();
     for (int j = 0; j < kTilesY; ++j)
@@ -142,22 +141,26 @@ TileErrors tile_errors(std::span<const TwinView> views) {
         const Window tile{i * width / kTilesX, j * height / kTilesY, width / kTilesX, height / kTilesY};
         const TileSums sums = sum_tile(view, tile);
         if (2 * sums.pixels < tile.width * tile.height || sums.pixels == 0) continue;
+        errors.tile.push_back(first + j * kTilesX + i);
         errors.error.push_back(sums.error / sums.pixels);
         errors.noise.push_back(sums.noise / sums.pixels);
       }
+    first += kTilesX * kTilesY;
   }
   return errors;
 }
 
-Interval root_mean_interval(std::span<const double> squared_errors, std::uint64_t seed) {
-  return bootstrap_interval(squared_errors, root_of_mean, {.seed = seed});
+Interval root_mean_interval(std::span<const double> squared_errors, std::uint64_t seed, int block_length) {
+  return bootstrap_interval(squared_errors, root_of_mean, {.seed = seed, .block_length = block_length});
+}
+
+Interval root_mean_interval(const TileErrors& tiles, std::uint64_t seed) {
+  return root_mean_interval(tiles.error, seed, kTilesX);
 }
 
 Interval root_ratio_interval(std::span<const double> numerator, std::span<const double> denominator,
-                             std::uint64_t seed) {
+                             std::uint64_t seed, int block_length) {
   PLENOLAB_CHECK(numerator.size() == denominator.size(), "ratios need paired values");
-  std::vector<double> indices(numerator.size());
-  for (std::size_t i = 0; i < indices.size(); ++i) indices[i] = static_cast<double>(i);
   const auto ratio = [&](std::span<const double> chosen) {
     double above = 0, below = 0;
     for (const double index : chosen) {
@@ -166,7 +169,19 @@ Interval root_ratio_interval(std::span<const double> numerator, std::span<const 
     }
     return below > 0 ? std::sqrt(std::max(0.0, above) / below) : std::numeric_limits<double>::infinity();
   };
-  return bootstrap_interval(indices, ratio, {.seed = seed});
+  return bootstrap_units(numerator.size(), ratio, seed, block_length);
+}
+
+Interval root_ratio_interval(const TileErrors& numerator, const TileErrors& denominator, std::uint64_t seed) {
+  std::vector<double> above, below;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < numerator.tile.size(); ++i) {
+    while (k < denominator.tile.size() && denominator.tile[k] < numerator.tile[i]) ++k;
+    if (k == denominator.tile.size() || denominator.tile[k] != numerator.tile[i]) continue;
+    above.push_back(numerator.error[i]);
+    below.push_back(denominator.error[k]);
+  }
+  return root_ratio_interval(above, below, seed, kTilesX);
 }
 
 Window window_around(const ViewGrid& grid, double x, double y, double half_width, double half_height) {
@@ -240,6 +255,10 @@ void add_twin_comparison(ReproductionResult& result, const std::string& name, co
 std::string text_of(const Interval& interval, int digits) {
   return fmt::format("{} [{}, {}]", format_number(interval.estimate, digits),
                      format_number(interval.low, digits), format_number(interval.high, digits));
+}
+
+std::string text_of(const std::optional<Interval>& interval) {
+  return interval ? text_of(*interval) : "not measurable";
 }
 
 PlotPoint plot_point(double x, const Interval& y) {

@@ -5,16 +5,20 @@
 #include <string>
 #include <vector>
 
-#include "analysis/statistics.h"
 #include "experiments/reproduce/claims/appearance_probes.h"
+#include "experiments/reproduce/claims/claim_statistics.h"
 #include "experiments/reproduce/laboratory.h"
 #include "experiments/reproduce/reproduction.h"
 
 namespace plenolab {
 
 /// What the claims on appearance measure. All images are gamma-encoded at a fixed exposure, clamped to
-/// [0, 1], so errors are shares of the display range; 0.02 is the difference that counts as visible
-/// (ComparisonConditions::difference_threshold).
+/// [0, 1], so errors are shares of the display range.
+
+/// RMS errors and steps below this share of the display range are too small to call a surface wrongly
+/// reproduced: five grey levels of 256. Stricter than the threshold above which single pixels count as
+/// differing in comparisons of images (ComparisonConditions), because it is held against means.
+inline constexpr double kSmallError = 0.02;
 
 /// A scene, four key views of it and the positions between them to look at.
 struct Probe {
@@ -40,8 +44,13 @@ struct TwinView {
 
 std::vector<TwinView> render_twins(Laboratory& laboratory, const Probe& probe);
 
+/// Key views whose colour is interpolated at each pixel, one bit each; `weightless`: also those whose weight
+/// is 0.
+Plane<std::uint8_t> contributing_views(const NovelView<SceneReferred>& novel, bool weightless);
+
 /// Squared errors of rectangles of the image, one value each.
 struct TileErrors {
+  std::vector<int> tile;  ///< which rectangle of which view, for pairing; increasing
   /// Mean of (S₁ − T₁)(S₂ − T₂): the squared error of the synthesis without noise, because the noises of the
   /// two factors are independent. May be slightly negative where there is no error.
   std::vector<double> error;
@@ -51,15 +60,21 @@ struct TileErrors {
 
 /// Errors of 6 × 4 tiles of every view over the pixels that all four key views see; tiles with less than half
 /// of those are left out.
+inline constexpr int kTilesX = 6, kTilesY = 4;
 TileErrors tile_errors(std::span<const TwinView> views);
 
-/// Root of the mean of squared errors (0 if negative), with its 95 % bootstrap interval over the values.
-Interval root_mean_interval(std::span<const double> squared_errors, std::uint64_t seed);
+/// Root of the mean of squared errors (0 if negative), with its 95 % bootstrap interval over the values;
+/// `block_length` neighbours are drawn together (BootstrapOptions).
+Interval root_mean_interval(std::span<const double> squared_errors, std::uint64_t seed, int block_length);
+/// Over tiles, one row of tiles drawn together: neighbouring tiles share what they show.
+Interval root_mean_interval(const TileErrors& tiles, std::uint64_t seed);
 
 /// The same as a ratio of two root mean squares over paired values, resampled together. The second must be
 /// positive.
 Interval root_ratio_interval(std::span<const double> numerator, std::span<const double> denominator,
-                             std::uint64_t seed);
+                             std::uint64_t seed, int block_length);
+/// Over the tiles that both hold. Throws InputError if there are none.
+Interval root_ratio_interval(const TileErrors& numerator, const TileErrors& denominator, std::uint64_t seed);
 
 /// A rectangle of the image, clipped to it.
 struct Window {
@@ -89,6 +104,8 @@ void add_twin_comparison(ReproductionResult& result, const std::string& name, co
 
 /// "0.012 [0.010, 0.014]"
 std::string text_of(const Interval& interval, int digits = 2);
+/// The same, or "not measurable".
+std::string text_of(const std::optional<Interval>& interval);
 
 /// A plot point with its interval.
 PlotPoint plot_point(double x, const Interval& y);

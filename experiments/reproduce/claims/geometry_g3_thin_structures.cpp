@@ -125,23 +125,16 @@ struct WidthRecall {
   int below_2x2 = 0, lost_by_sampling = 0;
 };
 
-Interval mean_interval(const std::vector<double>& values, std::uint64_t seed) {
-  BootstrapOptions options;
-  options.seed = seed;
-  return bootstrap_interval(
-      values, [](std::span<const double> v) { return mean(v); }, options);
-}
-
 PlotSeries series_of(const std::string& title, const std::vector<WidthRecall>& widths,
                      std::vector<double> WidthRecall::*values, std::uint64_t seed) {
   PlotSeries series{.title = title, .points = {}};
   for (const WidthRecall& w : widths) {
-    if ((w.*values).empty()) continue;
-    const Interval recall = mean_interval(w.*values, seed);
+    const std::optional<Interval> recall = mean_interval(w.*values, seed);
+    if (!recall) continue;
     series.points.push_back({.x = w.width_px,
-                             .y = 100 * recall.estimate,
-                             .y_low = 100 * recall.low,
-                             .y_high = 100 * recall.high,
+                             .y = 100 * recall->estimate,
+                             .y_low = 100 * recall->low,
+                             .y_high = 100 * recall->high,
                              .label = {}});
   }
   return series;
@@ -186,11 +179,12 @@ void add_example(ReproductionResult& result, const BarProbe& bar, int threads) {
 }
 
 Verdict decide_thin(const std::vector<double>& below, std::uint64_t seed) {
-  if (below.empty())
+  const std::optional<Interval> recall = mean_interval(below, seed);
+  if (!recall)
     return undecidable(
-        "No bar of the run was thinner than 2 × 2 px in all key views and visible in the true view.");
-  const Interval recall = mean_interval(below, seed);
-  Verdict verdict = decide_claim(recall, Comparison::kBelow, kVanished, "recall_below_2x2", "1",
+        "Fewer than two bars of the run were thinner than 2 × 2 px in all key views and visible in the true "
+        "view.");
+  Verdict verdict = decide_claim(*recall, Comparison::kBelow, kVanished, "recall_below_2x2", "1",
                                  fmt::format("95 % bootstrap over {} bars", below.size()));
   verdict.scenes = {"flat bars"};
   verdict.explanation = fmt::format(
@@ -199,7 +193,7 @@ Verdict decide_thin(const std::vector<double>& below, std::uint64_t seed) {
       "in none of the four key views: {}. Bars have random width, direction, place, disparity and position "
       "of view. "
       "Vanished means that fewer than one in ten pixels is left.",
-      interval_text(recall));
+      interval_text(*recall));
   return verdict;
 }
 

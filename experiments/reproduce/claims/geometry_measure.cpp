@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "core/base/error.h"
 #include "core/image/colour.h"
@@ -64,15 +63,6 @@ Interval share_interval(std::size_t hits, std::size_t trials) {
   const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
   // The ends at 0 and n hits are exactly 0 and 1; rounding must not leave the estimate outside.
   return {p, hits == 0 ? 0 : centre - half, hits == trials ? 1 : centre + half};
-}
-
-Interval bootstrap_units(std::size_t units, const std::function<double(std::span<const double>)>& statistic,
-                         std::uint64_t seed) {
-  std::vector<double> indices(units);
-  std::iota(indices.begin(), indices.end(), 0.0);
-  BootstrapOptions options;
-  options.seed = seed;
-  return bootstrap_interval(indices, statistic, options);
 }
 
 Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure) {

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
 
-#include "analysis/statistics.h"
 #include "core/image/image.h"
+#include "experiments/reproduce/claims/claim_statistics.h"
 #include "experiments/reproduce/reproduction.h"
 
 namespace plenolab {
@@ -26,11 +25,6 @@ std::vector<std::vector<std::size_t>> regions_of(const Mask& mask);
 
 /// 95 % Wilson score interval of a share (Wilson 1927): has a width also for 0 of n and n of n. n ≥ 1.
 Interval share_interval(std::size_t hits, std::size_t trials);
-
-/// 95 % percentile bootstrap over units 0 … units − 1, for statistics that are no function of single values
-/// (ratios of sums). `statistic` receives the drawn units.
-Interval bootstrap_units(std::size_t units, const std::function<double(std::span<const double>)>& statistic,
-                         std::uint64_t seed);
 
 /// Mean over the channels of the squared difference of clamp(exposure·C, 0, 1)^(1/2.2), pixel by pixel.
 Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure);
