@@ -34,9 +34,10 @@ ReproductionResult reproduce_beam_at_frustum_border(Laboratory& laboratory) {
       percent(effect.visible_share), effect.psnr_db, study->others ? study->others->psnr_db : 0.0,
       effect.truth_spread);
   result.differs =
-      fails ? "They agree: the failure occurs at the image border, where an occluder leaves the frustums, "
-              "and restoration repaints the gap with background from elsewhere."
-            : "They differ: in our Cellar the restored pixels are no worse than the others at this position.";
+      fails
+          ? "They agree: background that some key views hide and others do not cover is restored worse than "
+            "the pixels that needed no restoration are synthesised."
+          : "They differ: in our Cellar the restored pixels are no worse than the others at this position.";
   return result;
 }
 

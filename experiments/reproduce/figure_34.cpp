@@ -10,25 +10,25 @@ ReproductionResult reproduce_light_shafts(Laboratory& laboratory) {
   ReproductionResult result;
   const AppearanceStudy study =
       study_appearance(result, laboratory, {.scene = "cellar-shafts", .offsets = offsets_on_rows()});
-  const bool fades = study.epi->rms_between > 2 * study.epi->rms_at_keys;
   result.paper_shows =
       "Figure 34 shows light shafts in the Cellar: their light is attributed to the wall behind them, whose "
       "points every key view sees through another part of the shaft. The synthesised view therefore shows "
       "overlapping copies of each shaft, which fade in and out in the epipolar image as the camera moves.";
   result.ours_shows = fmt::format(
       "View from {}, midway between two key views of a row, of {} such positions the one where key views "
-      "disagree most within one crop; enlarged is the part with the largest error among pixels that all key "
-      "views see. There the PSNR is {:.1f} dB (whole view {:.1f} dB), and the error is {:.1f} times that of "
-      "the rest of the view. Along the camera motion the error of these columns is {:.3f} (encoded RMS) at "
-      "key views and {:.3f} midway between them.",
+      "disagree most within one crop; enlarged is the part with the largest error beyond noise among pixels "
+      "that "
+      "all key views see. There the PSNR is {:.1f} dB (whole view {:.1f} dB), and the error is {:.1f} times "
+      "that of "
+      "the rest of the view. {}",
       name_of(study.place.view.position), study.place.searched, study.pictures.box[0].psnr_db,
-      study.pictures.whole[0].psnr_db, study.error_concentration, study.epi->rms_at_keys,
-      study.epi->rms_between);
-  result.differs = fades
-                       ? "They agree: copies of the shafts appear between key views and vanish at them. What "
-                         "error remains at key views is their path tracing noise."
-                       : "They differ: the error hardly changes between key views and the positions between "
-                         "them, so that copies fading in and out are not what dominates it in this run.";
+      study.pictures.whole[0].psnr_db, study.error_concentration, fading_text(*study.epi));
+  result.differs =
+      fades(*study.epi)
+          ? "They agree: the error, which copies of the shafts cause where every key view sees the "
+            "wall, is large between key views and falls to their noise at them."
+          : "They differ: the error changes little between key views and the positions between "
+            "them, so that copies fading in and out are not what dominates it in this run.";
   return result;
 }
 

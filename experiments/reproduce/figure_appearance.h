@@ -10,8 +10,9 @@
 
 namespace plenolab {
 
-/// What figures 34 to 37 share: one position shown true and synthesised, enlarged where the effect shows
-/// most, with visibility, difference and, if wanted, epipolar images through the enlarged part.
+/// What figures 34 to 37 share: one position shown true and synthesised, enlarged where the error beyond
+/// noise is largest (at borders: where the effect shows most), with visibility, difference and, if wanted,
+/// epipolar images through the enlarged part.
 struct AppearanceOptions {
   std::string scene;
   std::span<const CameraPosition> offsets;  ///< positions searched, in each cell
@@ -25,8 +26,8 @@ struct AppearanceStudy {
   Place place;
   PictureNumbers pictures;      ///< [0] the synthesis, [1] from every other key view if it was made
   double rms_disagreement = 0;  ///< of the effect over the enlarged part: encoded luma
-  /// Squared smoothed error of the pixels that show the effect over that of all others, as root: how much the
-  /// error concentrates there. 0 without others.
+  /// Root of the mean squared smoothed error of the enlarged part over that of all other pixels: how much the
+  /// error concentrates there. 0 if the others have none.
   double error_concentration = 0;
   std::optional<EpiNumbers> epi;
 };

@@ -28,13 +28,6 @@ float nearest_shown(const PixelProvenance& provenance) {
   return disparity;
 }
 
-Mask restored_background(const NovelView<SceneReferred>& view, const DisparityMap& truth) {
-  Mask mask = view.restored;
-  for (std::size_t n = 0; n < mask.size(); ++n)
-    if (std::max(truth.pixels()[n], nearest_shown(view.provenance.pixels()[n])) > 1) mask.pixels()[n] = 0;
-  return mask;
-}
-
 Plane<float> error_of_effect(const Place& place, const SceneImage& truth) {
   Plane<float> error = smoothed_squared_difference(place.view.image, truth, figure_exposure(truth));
   for (std::size_t n = 0; n < error.size(); ++n)
@@ -42,24 +35,60 @@ Plane<float> error_of_effect(const Place& place, const SceneImage& truth) {
   return error;
 }
 
+/// Numbers of the restored pixels before far background, and how many of them fail.
+void add_background(RestorationStudy& study, ReproductionResult& result, const SceneImage& truth,
+                    const Mask& background, const Columns& columns) {
+  const NovelView<SceneReferred>& view = study.place.view;
+  study.background =
+      add_masked_rows(result, view.image, truth, background, "restored, far background in truth", columns);
+  if (!study.background) return;
+  Mask right_depth = background;
+  for (std::size_t n = 0; n < right_depth.size(); ++n)
+    if (nearest_shown(view.provenance.pixels()[n]) > kFarBackground_px) right_depth.pixels()[n] = 0;
+  const auto far = add_masked_rows(result, view.image, truth, right_depth,
+                                   "restored, far background in truth and restoration", columns);
+  const auto all = static_cast<double>(study.background->pixels);
+  const double far_share = static_cast<double>(count_set(right_depth)) / all;
+  study.background_nearer_share = 1 - far_share;
+  study.background_failed_share = 1 - far_share + (far ? far->visible_share * far_share : 0.0);
+  result.rows.add({"nearer_share", study.background_nearer_share, "1", columns});
+  result.rows.add({"failed_share", study.background_failed_share, "1", columns});
+}
+
+/// The true view and the view before restoration at the place of the study.
+struct Compared {
+  NovelView<SceneReferred> before;
+  KeyView<SceneReferred> truth;
+};
+
+Compared views_at(Laboratory& laboratory, const std::string& scene, CameraPosition position) {
+  SynthesisOptions without;
+  without.restore = false;
+  without.threads = laboratory.options().threads;
+  return {laboratory.synthesizer(scene).synthesize(position, without),
+          laboratory.truth(scene, position, kTruthPathFactor)};
+}
+
 }  // namespace
+
+Mask restored_before_background(const Mask& restored, const DisparityMap& truth) {
+  Mask mask = restored;
+  for (std::size_t n = 0; n < mask.size(); ++n)
+    if (truth.pixels()[n] > kFarBackground_px) mask.pixels()[n] = 0;
+  return mask;
+}
 
 std::optional<RestorationStudy> study_restoration(ReproductionResult& result, Laboratory& laboratory,
                                                   const std::string& scene, const EffectMeasure& measure,
                                                   const std::string& region, RestorationCrop enlarged) {
   const int threads = laboratory.options().threads;
-  const Synthesizer& synthesizer = laboratory.synthesizer(scene);
   RestorationStudy study;
-  study.place = find_place(synthesizer, cell_positions(laboratory.grid(scene), offsets_inside_cells()),
-                           threads, measure);
+  study.place = find_place(laboratory.synthesizer(scene),
+                           cell_positions(laboratory.grid(scene), offsets_inside_cells()), threads, measure);
   if (study.place.sum <= 0) return std::nullopt;
   const NovelView<SceneReferred>& after = study.place.view;
-  SynthesisOptions without;
-  without.restore = false;
-  without.threads = threads;
-  const auto before = synthesizer.synthesize(after.position, without);
-  const auto truth = laboratory.truth(scene, after.position, kTruthPathFactor);
-  const Mask background = restored_background(after, truth.disparity);
+  const auto [before, truth] = views_at(laboratory, scene, after.position);
+  const Mask background = restored_before_background(after.restored, truth.disparity);
   study.place.box =
       densest_box(enlarged == RestorationCrop::kWorst ? error_of_effect(study.place, truth.colour)
                                                       : as_weights(background),
@@ -75,13 +104,13 @@ std::optional<RestorationStudy> study_restoration(ReproductionResult& result, La
        .box = study.place.box,
        .cut_row = {}},
       columns, threads);
-  const auto numbers_of = [&](const Mask& mask, const std::string& name) {
+  const auto add_numbers = [&](const Mask& mask, const std::string& name) {
     return add_masked_rows(result, after.image, truth.colour, mask, name, columns);
   };
-  study.effect = numbers_of(mask_of(study.place.effect), region);
-  study.restored = numbers_of(after.restored, "restored");
-  study.others = numbers_of(inverse(after.restored), "not restored");
-  study.background = numbers_of(background, "restored, far background in truth");
+  study.effect = add_numbers(mask_of(study.place.effect), region);
+  study.restored = add_numbers(after.restored, "restored");
+  study.others = add_numbers(inverse(after.restored), "not restored");
+  add_background(study, result, truth.colour, background, columns);
   result.rows.add({"unseen_pixels", static_cast<double>(after.unseen_pixels), "px", columns});
   return study;
 }

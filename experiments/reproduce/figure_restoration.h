@@ -8,6 +8,12 @@
 
 namespace plenolab {
 
+/// Largest disparity of what counts as far background in these figures.
+inline constexpr float kFarBackground_px = 1;
+
+/// Restored pixels where the truth shows the far background: what they show instead plays no part.
+Mask restored_before_background(const Mask& restored, const DisparityMap& truth);
+
 /// What figures 31 and 32 share: one position shown true, synthesised before and after restoration (rule 4),
 /// with its visibility and differences, and the errors of restored pixels apart from the others.
 struct RestorationStudy {
@@ -16,8 +22,11 @@ struct RestorationStudy {
   std::optional<MaskedNumbers> restored;  ///< all restored pixels
   std::optional<MaskedNumbers> others;    ///< all pixels that were not restored
   PictureNumbers pictures;                ///< [0] before, [1] after restoration
-  /// Restored pixels where truth and restoration both show the far background (disparity of at most 1 px).
+  /// Restored pixels where the truth shows the far background (disparity of at most kFarBackground_px),
+  /// whatever restoration shows there.
   std::optional<MaskedNumbers> background;
+  /// Of these, how many restoration gets wrong: it shows something nearer, or the colour differs visibly.
+  double background_nearer_share = 0, background_failed_share = 0;
 };
 
 /// Which part is enlarged.

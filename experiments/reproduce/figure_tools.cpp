@@ -47,6 +47,14 @@ float encoded_luma(Rgb c, float exposure) {
   return luminance({encode(c.r), encode(c.g), encode(c.b)});
 }
 
+Plane<float> luma_difference(const SceneImage& test, const SceneImage& reference, float exposure) {
+  Plane<float> difference(test.width(), test.height());
+  for (std::size_t i = 0; i < test.size(); ++i)
+    difference.pixels()[i] =
+        encoded_luma(test.pixels()[i], exposure) - encoded_luma(reference.pixels()[i], exposure);
+  return difference;
+}
+
 }  // namespace
 
 SceneImage crop(const SceneImage& image, const PixelBox& box) {
@@ -136,13 +144,26 @@ Plane<float> box_mean(const Plane<float>& values, int radius) {
 
 Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
                                          int radius) {
-  Plane<float> difference(test.width(), test.height());
-  for (std::size_t i = 0; i < test.size(); ++i)
-    difference.pixels()[i] =
-        encoded_luma(test.pixels()[i], exposure) - encoded_luma(reference.pixels()[i], exposure);
-  Plane<float> smooth = box_mean(difference, radius);
+  Plane<float> smooth = box_mean(luma_difference(test, reference, exposure), radius);
   for (float& v : smooth.pixels()) v *= v;
   return smooth;
+}
+
+Plane<float> significant_squared_difference(const SceneImage& test, const SceneImage& reference,
+                                            float exposure, int radius) {
+  constexpr float kVariances = 3;
+  const Plane<float> difference = luma_difference(test, reference, exposure);
+  Plane<float> squares = difference;
+  for (float& v : squares.pixels()) v *= v;
+  Plane<float> result = box_mean(difference, radius);
+  const Plane<float> mean_square = box_mean(squares, radius);
+  const auto window = static_cast<float>((2 * radius + 1) * (2 * radius + 1));
+  for (std::size_t n = 0; n < result.size(); ++n) {
+    const float mean = result.pixels()[n];
+    const float variance_of_mean = std::max(0.0f, mean_square.pixels()[n] - mean * mean) / window;
+    result.pixels()[n] = std::max(0.0f, mean * mean - kVariances * variance_of_mean);
+  }
+  return result;
 }
 
 std::size_t count_set(const Mask& mask) {
