@@ -152,10 +152,30 @@ int placements_per_kind(const Laboratory& laboratory) {
   return laboratory.options().effort == Effort::kTiny ? 2 : 24;
 }
 
-Interval unseen_share(const std::vector<OccluderStudy>& studies) {
-  std::size_t unseen = 0, all = 0;
-  for (const OccluderStudy& study : studies) unseen += study.unseen(), all += study.outcomes.size();
-  return share_interval(unseen, all);
+std::size_t unseen_of(const OccluderStudy& study, UnseenBy by) {
+  return by == UnseenBy::kGeometry ? study.hidden() : study.unseen();
+}
+
+std::size_t placements_of(const std::vector<OccluderStudy>& studies) {
+  std::size_t all = 0;
+  for (const OccluderStudy& study : studies) all += study.outcomes.size();
+  return all;
+}
+
+const OccluderStudy& rarest_of(const std::vector<OccluderStudy>& studies, UnseenBy by) {
+  return *std::min_element(
+      studies.begin(), studies.end(),
+      [by](const OccluderStudy& a, const OccluderStudy& b) { return unseen_of(a, by) < unseen_of(b, by); });
+}
+
+const char* quantity_of(UnseenBy by) {
+  return by == UnseenBy::kGeometry ? "hidden_placement_share" : "unseen_placement_share";
+}
+
+Interval unseen_share(const std::vector<OccluderStudy>& studies, UnseenBy by) {
+  std::size_t unseen = 0;
+  for (const OccluderStudy& study : studies) unseen += unseen_of(study, by);
+  return share_interval(unseen, placements_of(studies));
 }
 
 }  // namespace plenolab
