@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/image/colour.h"
 #include "core/lightfield/bare_folder.h"
 #include "core/lightfield/hci.h"
@@ -25,14 +26,35 @@ struct ConvertOptions {
   BareFolderOptions bare;
   double exposure = 0;
   bool linear = false, unchecked = false;
+  std::vector<const CLI::Option*> for_bare_folders;  ///< options that mean nothing for other sources
+  const CLI::Option *spacing_x = nullptr, *spacing_y = nullptr, *fov_h = nullptr;
 };
+
+bool is_bare_folder(const std::filesystem::path& source) {
+  return std::filesystem::is_directory(source) && !is_light_field_folder(source) && !is_hci_folder(source);
+}
+
+/// A bare folder does not say where its cameras stand: that must be given, and for other sources it must not.
+void require_fitting_options(ConvertOptions& options) {
+  if (is_bare_folder(options.source)) {
+    if (options.spacing_x->count() == 0 || options.fov_h->count() == 0)
+      throw UsageError("a bare folder of EXRs needs --spacing-x and --fov-h: its files do not say them");
+    if (options.spacing_y->count() == 0) options.bare.spacing_y_m = options.bare.spacing_x_m;
+  } else {
+    for (const CLI::Option* option : options.for_bare_folders)
+      if (option->count() > 0)
+        throw UsageError(fmt::format("{} is for bare folders of EXRs; {} says it itself", option->get_name(),
+                                     options.source));
+  }
+  if (options.linear && !is_hci_folder(options.source))
+    throw UsageError("--linear is for HCI folders: only their views are display-referred");
+  if (options.exposure > 0 && options.to != "hci") throw UsageError("--exposure is for --to hci");
+}
 
 AnyLightField open_source(const ConvertOptions& options) {
   const std::filesystem::path source = options.source;
-  if (std::filesystem::is_directory(source) && !is_light_field_folder(source)) {
-    if (!is_hci_folder(source)) return import_bare_folder(source, options.bare);
-    if (options.linear) return import_hci_linear(source);
-  }
+  if (is_bare_folder(source)) return import_bare_folder(source, options.bare);
+  if (options.linear) return import_hci_linear(source);
   return open_any_light_field(source);
 }
 
@@ -65,7 +87,30 @@ void write_hci(const AnyLightField& any, const ConvertOptions& options) {
     export_hci(options.out, std::get<DisplayLightField>(any), {}, bar.callback());
 }
 
+/// Says what was written: HCI views are cropped to the area common to all, so their size is read back.
+void report(const ConvertOptions& options, const ViewGrid& grid, Provenance& provenance) {
+  int width = grid.width, height = grid.height;
+  if (options.to == "hci") {
+    const auto file = std::filesystem::path(options.out) / "parameters.cfg";
+    const HciParameters written = parse_hci_parameters(read_text_file(file), file.string());
+    width = written.width;
+    height = written.height;
+  }
+  ResultTable table;
+  const std::vector<std::pair<std::string, Cell>> columns{{"path", options.out}};
+  table.add({"columns", static_cast<double>(grid.columns), "views", columns});
+  table.add({"rows", static_cast<double>(grid.rows), "views", columns});
+  table.add({"width", static_cast<double>(width), "px", columns});
+  table.add({"height", static_cast<double>(height), "px", columns});
+  tell(options.common, fmt::format("wrote {}", options.out));
+  if (width != grid.width || height != grid.height)
+    tell(options.common,
+         fmt::format("views were cropped from {}×{} to the area common to all", grid.width, grid.height));
+  emit_results(table, provenance, options.common);
+}
+
 void run_convert(const Invocation& invocation, ConvertOptions& options) {
+  require_fitting_options(options);
   options.bare.unit = options.radiance == "cd/m2" ? RadianceUnit::kCdM2 : RadianceUnit::kRelative;
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField field = open_source(options);
@@ -82,9 +127,7 @@ void run_convert(const Invocation& invocation, ConvertOptions& options) {
   }
   finish_provenance(provenance);
   write_run_json(provenance, options.out);
-  const ViewGrid& grid = grid_of(field);
-  tell(options.common, fmt::format("wrote {} ({}×{} views of {}×{} pixels)", options.out, grid.columns,
-                                   grid.rows, grid.width, grid.height));
+  report(options, grid_of(field), provenance);
 }
 
 }  // namespace
@@ -101,9 +144,12 @@ void add_convert_command(CLI::App& app, const Invocation& invocation) {
   app.add_flag("--linear", options->linear, "HCI source: decode to relative radiance by gamma 2.2");
   app.add_option("--exposure", options->exposure, "HCI target: scale of radiance before gamma encoding")
       ->check(CLI::PositiveNumber);
-  app.add_option("--spacing-x", options->bare.spacing_x_m, "Bare folder: metres between columns");
-  app.add_option("--spacing-y", options->bare.spacing_y_m, "Bare folder: metres between rows");
-  app.add_option("--fov-h", options->bare.fov_h_deg, "Bare folder: full horizontal opening angle in degrees");
+  options->spacing_x =
+      app.add_option("--spacing-x", options->bare.spacing_x_m, "Bare folder: metres between columns");
+  options->spacing_y = app.add_option("--spacing-y", options->bare.spacing_y_m,
+                                      "Bare folder: metres between rows (default: as between columns)");
+  options->fov_h = app.add_option("--fov-h", options->bare.fov_h_deg,
+                                  "Bare folder: full horizontal opening angle in degrees");
   app.add_option("--pattern", options->bare.pattern, "Bare folder: view names with {column} and {row}");
   app.add_option("--columns", options->bare.columns,
                  "Bare folder: columns, for names with one running number");
@@ -115,9 +161,15 @@ void add_convert_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--radiance", options->radiance, "Bare folder: unit of the radiance")
       ->check(CLI::IsMember({"relative", "cd/m2"}))
       ->capture_default_str();
+  for (const char* name : {"--spacing-x", "--spacing-y", "--fov-h", "--pattern", "--columns",
+                           "--column-first", "--red", "--green", "--blue", "--depth", "--radiance"})
+    options->for_bare_folders.push_back(app.get_option(name));
   app.add_flag("--unchecked", options->unchecked, "Skip the photometric self-check");
   add_common_options(app, options->common);
   app.footer(
+      "HCI views are offset from parallel ones: on import and export they are moved, and cropped to the area "
+      "common to "
+      "all.\n"
       "Examples: plenolab convert hci/antinous -o antinous\n"
       "          plenolab convert renders --spacing-x 0.12 --spacing-y 0.12 --fov-h 50 -o field");
   app.callback([options, &invocation] { run_convert(invocation, *options); });

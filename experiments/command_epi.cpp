@@ -58,7 +58,10 @@ void run_epi(const Invocation& invocation, const EpiOptions& options) {
   const DisplayImage slice = cut(files, direction, std::max(options.row, options.column), options);
   if (!slice.empty()) write_display_image(options.out, stretch_epi(slice, direction, options.stretch));
   write_run_json_beside(options.out, provenance);
-  tell(options.common, fmt::format("wrote {} ({} frames)", options.out, files.size()));
+  tell(options.common, fmt::format("wrote {}", options.out));
+  ResultTable table;
+  table.add({"frames", static_cast<double>(files.size()), "frames", {{"path", options.out}}});
+  emit_results(table, provenance, options.common);
 }
 
 }  // namespace

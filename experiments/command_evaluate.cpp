@@ -85,8 +85,10 @@ void print_for_people(const ResultTable& table) {
                                  {"psnr_pq_db", "PSNR PQ [dB]"},
                                  {"ssim_gamma", "SSIM"},
                                  {"share_above_threshold", "visible difference"},
+                                 {"restored_pixels", "restored [px]"},
                                  {"unseen_pixels", "unseen [px]"},
-                                 {"unseen_share", "unseen share"},
+                                 {"restored_share", "restored"},
+                                 {"unseen_share", "unseen"},
                                  {"views_scored", "views"},
                                  {"key_views", "key views"}}));
 }
@@ -117,7 +119,7 @@ void run_evaluate(const Invocation& invocation, const EvaluateCommandOptions& op
       write_run_json(provenance, folder);
     });
   }
-  if (options.common.json != "-") print_for_people(table);
+  if (!output_is_for_programs(options.common)) print_for_people(table);
   write_results(table, provenance, options.common);
   if (!options.out.empty())
     tell(options.common, fmt::format("wrote pictures and results.csv to {}", options.out));

@@ -63,7 +63,7 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   }
   write_text_file(fs::path(options.out) / "rows.csv", to_csv(table));
   write_run_json(provenance, options.out);
-  if (options.common.json != "-")
+  if (!output_is_for_programs(options.common))
     fmt::print("{}",
                to_wide_text(table, {"scene", "width", "search", "key_views", "step_px"}, sweep_columns()));
   write_results(table, provenance, options.common);

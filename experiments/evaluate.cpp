@@ -65,7 +65,7 @@ float exposure_for(const DisplayLightField&, double) {
 struct Totals {
   std::vector<std::pair<std::string, std::vector<double>>> psnrs_db;  ///< by quantity
   std::vector<double> ssim, seconds;
-  double unseen_pixels = 0, pixels = 0, repaired_values = 0;
+  double restored_pixels = 0, unseen_pixels = 0, pixels = 0, repaired_values = 0;
 
   void add(const std::vector<Measurement>& measurements) {
     for (const Measurement& m : measurements) {
@@ -86,6 +86,7 @@ struct Totals {
     }
     table.add({"ssim_gamma", mean(ssim), "1", columns});
     table.add({"ssim_gamma_worst", *std::min_element(ssim.begin(), ssim.end()), "1", columns});
+    table.add({"restored_share", restored_pixels / pixels, "1", columns});
     table.add({"unseen_share", unseen_pixels / pixels, "1", columns});
     table.add({"repaired_values", repaired_values, "values", columns});
     table.add({"seconds_median", median(seconds), "s", columns});
@@ -121,9 +122,11 @@ void score_view(const NovelView<Referral>& novel, const RgbImage<Referral>& trut
       measure(novel.image, truth, select_metrics(std::vector<std::string>{"all"}), conditions);
   const double seconds = novel.timings.total_s - novel.timings.prepare_s;
   add_measurement_rows(table, measurements, columns);
+  table.add({"restored_pixels", static_cast<double>(novel.restored_pixels), "px", columns});
   table.add({"unseen_pixels", static_cast<double>(novel.unseen_pixels), "px", columns});
   table.add({"seconds", seconds, "s", columns});
   totals.add(measurements);
+  totals.restored_pixels += static_cast<double>(novel.restored_pixels);
   totals.unseen_pixels += static_cast<double>(novel.unseen_pixels);
   totals.pixels += static_cast<double>(novel.image.size());
   totals.seconds.push_back(seconds);

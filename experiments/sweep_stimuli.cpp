@@ -70,7 +70,8 @@ SweepStimulus stimulus_from_captured(const LightField& captured) {
   const std::size_t count = std::min<std::size_t>(3, held_out.size());
   for (std::size_t i = 0; i < count; ++i)
     chosen.push_back(held_out[(2 * i + 1) * held_out.size() / (2 * count)]);
-  return {captured.name(), key_views, chosen, [captured, step_x, step_y](CameraPosition position) {
+  const std::string name = std::filesystem::weakly_canonical(captured.name()).filename().string();
+  return {name, key_views, chosen, [captured, step_x, step_y](CameraPosition position) {
             SceneImage truth = captured
                                    .view(static_cast<int>(position.s * step_x + 0.5),
                                          static_cast<int>(position.t * step_y + 0.5))

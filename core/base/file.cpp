@@ -33,8 +33,17 @@ void create_parent(const fs::path& path) {
 
 }  // namespace
 
-void write_atomically(const fs::path& path, const std::function<void(const fs::path&)>& write) {
+void write_atomically(const fs::path& requested, const std::function<void(const fs::path&)>& write) {
+  std::error_code unresolved;
+  const fs::path target =
+      fs::weakly_canonical(requested, unresolved);  // a link stays, the file behind it is replaced
+  const fs::path path = unresolved || !fs::is_symlink(requested) ? requested : target;
   if (fs::is_directory(path)) throw InputError(fmt::format("cannot write {}: it is a folder", path.string()));
+  if (fs::exists(path) &&
+      !fs::is_regular_file(path)) {  // a device or pipe has nothing to protect, and must stay
+    write(path);
+    return;
+  }
   create_parent(path);
   const fs::path temporary = temporary_name(path);
   std::error_code ignored;

@@ -10,8 +10,8 @@ namespace plenolab {
 
 /// Runs `write` on a temporary name in the folder of `path`, then renames it to `path`, so that the file
 /// appears whole or not at all; missing folders are created and the temporary file is removed on any
-/// exception. The temporary name keeps the extension of `path`. Throws InputError if the folder or file
-/// cannot be written.
+/// exception. The temporary name keeps the extension of `path`. A symbolic link is followed; a device or pipe
+/// is written into directly. Throws InputError if the folder or file cannot be written.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
 

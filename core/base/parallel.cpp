@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <optional>
 
 #include "core/base/error.h"
 
@@ -23,6 +26,10 @@ void parallel_for(int count, int grain, int threads, const std::function<void(in
     for (int begin = 0; begin < count; begin += grain) body(begin, std::min(count, begin + grain));
     return;
   }
+  // More threads than cores are allowed when asked for: TBB wants to be told.
+  std::optional<tbb::global_control> more_than_cores;
+  if (workers > tbb::this_task_arena::max_concurrency())
+    more_than_cores.emplace(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(workers));
   tbb::task_arena arena(workers);
   arena.execute([&] {
     tbb::parallel_for(

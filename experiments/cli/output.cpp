@@ -11,9 +11,31 @@
 
 namespace plenolab {
 
+namespace {
+
+constexpr const char* kStageLeftOut = "stage_left_out";
+
+std::string text_of(const ResultRow& row, const std::string& column) {
+  for (const auto& [name, cell] : row.columns)
+    if (name == column) return std::get<std::string>(cell);
+  return "";
+}
+
+void print_for_people(const ResultTable& results) {
+  ResultTable numbers;
+  for (const ResultRow& row : results.rows())
+    if (row.quantity != kStageLeftOut) numbers.add(row);
+  fmt::print("{}", to_text(numbers));
+  for (const ResultRow& row : results.rows())
+    if (row.quantity == kStageLeftOut)
+      fmt::print("left out: {} ({})\n", text_of(row, "stage"), text_of(row, "reason"));
+}
+
+}  // namespace
+
 void add_common_options(CLI::App& app, CommonOptions& options) {
   app.add_option("--json", options.json, "Write results as JSON to this file ('-' = standard output)");
-  app.add_option("--csv", options.csv, "Write results as tidy CSV to this file");
+  app.add_option("--csv", options.csv, "Write results as tidy CSV to this file ('-' = standard output)");
   app.add_option("--seed", options.seed, "Seed of all randomness")->capture_default_str();
   app.add_option("--threads", options.threads, "Threads, 0 = all cores")
       ->capture_default_str()
@@ -27,7 +49,13 @@ Provenance begin_run(const Invocation& invocation, const CommonOptions& options)
   return provenance;
 }
 
+bool output_is_for_programs(const CommonOptions& options) {
+  return options.json == "-" || options.csv == "-";
+}
+
 void write_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
+  if (options.json == "-" && options.csv == "-")
+    throw UsageError("JSON and CSV cannot both go to standard output: give one of them a file");
   finish_provenance(provenance);
   if (!options.json.empty()) {
     const std::string json = results_to_json_text(provenance_to_json(provenance), results);
@@ -36,17 +64,20 @@ void write_results(const ResultTable& results, Provenance& provenance, const Com
     else
       write_text_file(options.json, json);
   }
-  if (!options.csv.empty()) write_text_file(options.csv, to_csv(results));
+  if (options.csv == "-")
+    fmt::print("{}", to_csv(results));
+  else if (!options.csv.empty())
+    write_text_file(options.csv, to_csv(results));
   if (std::fflush(stdout) != 0) throw InputError("cannot write the results to standard output");
 }
 
 void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
-  if (options.json != "-") fmt::print("{}", to_text(results));
+  if (!output_is_for_programs(options)) print_for_people(results);
   write_results(results, provenance, options);
 }
 
 void tell(const CommonOptions& options, const std::string& line) {
-  if (options.json != "-") fmt::print("{}\n", line);
+  if (!output_is_for_programs(options)) fmt::print("{}\n", line);
 }
 
 void write_run_json_beside(const std::filesystem::path& file, Provenance& provenance) {

@@ -17,7 +17,7 @@ namespace plenolab {
 /// Options that every computing command has.
 struct CommonOptions {
   std::string json;        ///< file for the results as JSON, "-" = stdout, empty = none
-  std::string csv;         ///< file for the results as tidy CSV, empty = none
+  std::string csv;         ///< file for the results as tidy CSV, "-" = stdout, empty = none
   std::uint64_t seed = 1;  ///< of all randomness
   int threads = 0;         ///< 0 = all cores
 };
@@ -25,8 +25,11 @@ struct CommonOptions {
 /// Declares --json, --csv, --seed and --threads.
 void add_common_options(CLI::App& app, CommonOptions& options);
 
-/// Prints the results as a table for people on stdout (unless JSON goes there) and writes the JSON and CSV
-/// that were asked for. Finishes `provenance`.
+/// Whether standard output belongs to a program: JSON or CSV goes there, and nothing else may.
+bool output_is_for_programs(const CommonOptions& options);
+
+/// Prints the results as a table for people, stages left out as sentences, on stdout (unless JSON goes there)
+/// and writes the JSON and CSV that were asked for. Finishes `provenance`.
 void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options);
 
 /// Writes the JSON and CSV that were asked for, and nothing for people: for commands that print a table of
@@ -36,7 +39,7 @@ void write_results(const ResultTable& results, Provenance& provenance, const Com
 /// Starts the provenance of a command with its common options.
 Provenance begin_run(const Invocation& invocation, const CommonOptions& options);
 
-/// One line on stdout for people, e.g. which file was written; silent when JSON goes to stdout.
+/// One line on stdout for people, e.g. which file was written; silent when results for programs go to stdout.
 void tell(const CommonOptions& options, const std::string& line);
 
 /// Writes `file`'s provenance beside it as FILE.run.json, for results that are single files.
