@@ -116,7 +116,7 @@ ReportPlot approach_plot(Laboratory& laboratory, const std::string& id, ResultTa
           fmt::format("{}: how the view approaches the key view (the scene's own parallax is part of the "
                       "difference)",
                       laboratory.scene(id).title),
-          "Difference against distance, falling towards the key view"};
+          "Difference from the key view against the distance from it"};
 }
 
 }  // namespace
@@ -139,7 +139,9 @@ ReproductionResult reproduce_claim_a1(Laboratory& laboratory) {
                    "px", fmt::format("range over {} comparisons, which are exact", differing.size()));
   entry.verdict.scenes = laboratory.scene_ids();
   entry.verdict.explanation =
-      "Most pixels of one view that are not bit for bit those of the key view, over corners and middle of "
+      "Most pixels of one view that are not bit for bit those of the key view, over two opposite corners and "
+      "the "
+      "middle of "
       "every "
       "scene's grid, with pruning on and off.";
   result.ledger = {entry};

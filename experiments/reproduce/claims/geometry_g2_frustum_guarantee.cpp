@@ -17,6 +17,10 @@ namespace {
 // A guarantee has no uncertainty of sampling: one counter-example refutes it.
 constexpr double kOneRay = 0.5;
 
+constexpr int kPlaneWidth = 96, kPlaneHeight = 72;
+// One pixel less than the image: the largest disparity of the corrected bound.
+constexpr double kOnePixelLess = (kPlaneHeight - 1.0) / kPlaneHeight;
+
 /// Rays of some views, and those for which no key view in use has an in-frustum correspondence.
 struct RayCount {
   double rays = 0, lost = 0;
@@ -89,7 +93,7 @@ FieldCount count_field(const std::string& name, const Synthesizer& synthesizer,
 /// A plane of one disparity that fills all views; `share` = its disparity over the image height, the smaller
 /// side.
 FieldCount count_plane(double share, std::uint64_t seed, int threads) {
-  const ViewGrid grid = probe_grid(2, 2, 0.1, 96, 72);
+  const ViewGrid grid = probe_grid(2, 2, 0.1, kPlaneWidth, kPlaneHeight);
   const FlatSurface plane{share * grid.height, {}, [](double, double) { return Rgb{0.5f, 0.5f, 0.5f}; }};
   FlatWorld world;
   world.surfaces = {plane};
@@ -131,8 +135,9 @@ std::vector<FieldCount> count_scenes(Laboratory& laboratory) {
 std::vector<FieldCount> count_planes(const LaboratoryOptions& options) {
   const std::vector<double> shares =
       options.effort == Effort::kTiny
-          ? std::vector<double>{0.75, 0.999, 1.5}
-          : std::vector<double>{0.5, 0.75, 0.9, 0.95, 0.98, 0.99, 0.999, 1.05, 1.1, 1.25, 1.5, 2};
+          ? std::vector<double>{kOnePixelLess, 0.999, 1.5}
+          : std::vector<double>{0.5,  0.75, 0.9,  0.95, 0.98, kOnePixelLess, 0.99, 0.999,
+                                1.05, 1.1,  1.25, 1.5,  2};
   std::vector<FieldCount> fields;
   for (const double share : shares) fields.push_back(count_plane(share, options.seed, options.threads));
   return fields;

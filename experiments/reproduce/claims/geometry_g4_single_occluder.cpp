@@ -41,7 +41,7 @@ ReproductionResult reproduce_claim_g4(Laboratory& laboratory) {
       "unseen points; "
       "slits, holes and concave silhouettes can (section 4.1.5, figure 17, an argument without measurement).";
   result.ours_shows = fmt::format(
-      "Of the convex occluders {} % leave unseen background beyond a rim of one pixel: {} Of those with a "
+      "Of the convex occluders {} % leave an unseen block of 3 × 3 px of background: {} Of those with a "
       "concave "
       "corner, slit, hole or gaps {} % do: {}",
       interval_text({100 * never.number, 100 * never.interval->low, 100 * never.interval->high}),

@@ -180,34 +180,39 @@ std::string words_of(const std::vector<PlateErrors>& plates, const Interval& rat
                      format_number(sum.unfilled.rms(), 3), interval_text(ratio));
 }
 
-}  // namespace
+void add_example(ReproductionResult& result, const PlateProbe& probe, const PlateViews& views) {
+  result.add_comparison(
+      "slits-before-uniform-background",
+      {fmt::format("A plate with slits of {:.1f} px before a uniform background: truth, synthesis "
+                   "from the disparity maps as they are and with slits filled",
+                   probe.slit_px),
+       "A plate with slits in three versions",
+       {{"Ground truth", expose(views.truth, 1)},
+        {"Slits as they are", expose(views.unfilled, 1)},
+        {"Slits filled", expose(views.filled, 1)}}},
+      {views.truth, views.unfilled, views.filled});
+}
 
-ReproductionResult reproduce_claim_g8(Laboratory& laboratory) {
-  const std::uint64_t seed = laboratory.options().seed;
-  const int threads = laboratory.options().threads;
-  const int plates = laboratory.options().effort == Effort::kTiny ? 2 : 16;
-  ReproductionResult result;
-  std::vector<PlateErrors> uniform_background, structured_background;
-  for (int i = 0; i < plates; ++i) {
-    RandomStream random(seed, 0x4780, static_cast<std::uint64_t>(i));
+/// Errors of every plate before either background.
+struct Plates {
+  std::vector<PlateErrors> uniform, structured;
+};
+
+Plates measure_plates(const LaboratoryOptions& options, ReproductionResult& result) {
+  const int count = options.effort == Effort::kTiny ? 2 : 16;
+  Plates plates;
+  for (int i = 0; i < count; ++i) {
+    RandomStream random(options.seed, 0x4780, static_cast<std::uint64_t>(i));
     const PlateProbe probe = random_plate(random);
-    const PlateViews views = views_of(probe, true, threads);
-    uniform_background.push_back(errors_of(probe, views));
-    structured_background.push_back(errors_of(probe, views_of(probe, false, threads)));
-    if (i == 0)
-      result.add_comparison(
-          "slits-before-uniform-background",
-          {fmt::format("A plate with slits of {:.1f} px before a uniform background: truth, synthesis "
-                       "from the disparity maps as they are and with slits filled",
-                       probe.slit_px),
-           "A plate with slits in three versions",
-           {{"Ground truth", expose(views.truth, 1)},
-            {"Slits as they are", expose(views.unfilled, 1)},
-            {"Slits filled", expose(views.filled, 1)}}},
-          {views.truth, views.unfilled, views.filled});
+    const PlateViews views = views_of(probe, true, options.threads);
+    plates.uniform.push_back(errors_of(probe, views));
+    plates.structured.push_back(errors_of(probe, views_of(probe, false, options.threads)));
+    if (i == 0) add_example(result, probe, views);
   }
-  const Interval ratio = ratio_of(uniform_background, seed);
-  const Interval structured = ratio_of(structured_background, seed);
+  return plates;
+}
+
+Verdict decide_filling(const Interval& ratio, std::size_t plates) {
   Verdict verdict = decide_claim(ratio, Comparison::kBelow, kNoChange, "rms_error_ratio", "1",
                                  fmt::format("95 % bootstrap over {} plates", plates));
   verdict.scenes = {"flat plates with slits"};
@@ -220,6 +225,33 @@ ReproductionResult reproduce_claim_g8(Laboratory& laboratory) {
       "same outline "
       "would be.",
       interval_text(ratio));
+  return verdict;
+}
+
+ReportPlot plot_of(const Interval& uniform_background, const Interval& structured_background,
+                   std::string alt) {
+  Plot plot;
+  plot.x.title = "Background";
+  plot.y = {.title = "RMS error, filled / as they are", .unit = "1", .minimum = 0, .maximum = {}};
+  plot.categories = {"uniform", "structured"};
+  plot.key = KeyPosition::kNone;
+  plot.series = {{.title = "ratio", .points = {}}};
+  for (const Interval& r : {uniform_background, structured_background})
+    plot.series[0].points.push_back({.y = r.estimate, .y_low = r.low, .y_high = r.high, .label = {}});
+  return {plot,
+          "Error with filled slits as a multiple of that with slits as they are; 95 % bootstrap intervals",
+          std::move(alt)};
+}
+
+}  // namespace
+
+ReproductionResult reproduce_claim_g8(Laboratory& laboratory) {
+  const std::uint64_t seed = laboratory.options().seed;
+  ReproductionResult result;
+  const Plates plates = measure_plates(laboratory.options(), result);
+  const Interval ratio = ratio_of(plates.uniform, seed);
+  const Interval structured = ratio_of(plates.structured, seed);
+  Verdict verdict = decide_filling(ratio, plates.uniform.size());
   result.paper_shows =
       "Filling the slits of the ceiling when the disparity maps are made can give a faithful view, since the "
       "sky behind "
@@ -227,28 +259,17 @@ ReproductionResult reproduce_claim_g8(Laboratory& laboratory) {
   result.ours_shows = fmt::format(
       "Before a uniform background the RMS error of encoded values is {}. {} Before a structured background "
       "it is {}.",
-      words_of(uniform_background, ratio), outcome_text(verdict.outcome),
-      words_of(structured_background, structured));
+      words_of(plates.uniform, ratio), outcome_text(verdict.outcome),
+      words_of(plates.structured, structured));
   result.differs = fmt::format(
       "The thesis fills slits in the model of one scene; here openings are closed in the maps of {} random "
       "plates. What "
       "is left with filled slits is the error of their outlines, which every key view has rounded to its own "
       "pixels.",
-      plates);
-  Plot plot;
-  plot.x.title = "Background";
-  plot.y = {.title = "RMS error, filled / as they are", .unit = "1", .minimum = 0, .maximum = {}};
-  plot.categories = {"uniform", "structured"};
-  plot.key = KeyPosition::kNone;
-  plot.series = {{.title = "ratio", .points = {}}};
-  for (const Interval& r : {ratio, structured})
-    plot.series[0].points.push_back({.y = r.estimate, .y_low = r.low, .y_high = r.high, .label = {}});
-  result.add_plot(
-      "filled-over-unfilled",
-      {plot, "Error with filled slits as a multiple of that with slits as they are; 95 % bootstrap intervals",
-       result.ours_shows});
-  add_rows(result.rows, uniform_background, ratio, "uniform");
-  add_rows(result.rows, structured_background, structured, "structured");
+      plates.uniform.size());
+  result.add_plot("filled-over-unfilled", plot_of(ratio, structured, result.ours_shows));
+  add_rows(result.rows, plates.uniform, ratio, "uniform");
+  add_rows(result.rows, plates.structured, structured, "structured");
   conclude(result,
            {"A-G8", "Altmeier 2018, section 4.1.5",
             "Filling slits in the disparity map before a uniform background gives a faithful view."},

@@ -10,18 +10,19 @@
 
 namespace plenolab {
 
-Mask beyond_rim(const Mask& mask) {
+Mask beyond_rim(const Mask& mask, int block_px) {
   Mask kept(mask.width(), mask.height());
   const auto whole = [&](int x, int y) {
-    for (int j = 0; j < 3; ++j)
-      for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < block_px; ++j)
+      for (int i = 0; i < block_px; ++i)
         if (mask.at(x + i, y + j) == 0) return false;
     return true;
   };
-  for (int y = 0; y + 3 <= mask.height(); ++y)
-    for (int x = 0; x + 3 <= mask.width(); ++x)
+  for (int y = 0; y + block_px <= mask.height(); ++y)
+    for (int x = 0; x + block_px <= mask.width(); ++x)
       if (whole(x, y))
-        for (int j = 0; j < 3; ++j) std::fill_n(kept.row(y + j) + x, 3, static_cast<unsigned char>(1));
+        for (int j = 0; j < block_px; ++j)
+          std::fill_n(kept.row(y + j) + x, block_px, static_cast<unsigned char>(1));
   return kept;
 }
 

@@ -14,8 +14,9 @@ namespace plenolab {
 
 /// The rim is what sampling alone costs: occluders lose half a pixel a side, and the disparity map knows
 /// their outline to a pixel. One pixel lost on each of two opposite sides makes strips of up to two pixels,
-/// so a pixel of the mask lies beyond the rim if it belongs to a 3 × 3 block that is wholly in the mask.
-Mask beyond_rim(const Mask& mask);
+/// so a pixel of the mask lies beyond the rim if it belongs to a 3 × 3 block that is wholly in the mask. With
+/// `block_px` 2 only strips of one pixel are rim: one of the two sides alone.
+Mask beyond_rim(const Mask& mask, int block_px = 3);
 
 /// 1 where no key view sees the surface before restoration (red in the visibility map).
 Mask where_zero(const Plane<std::uint8_t>& visible_views);

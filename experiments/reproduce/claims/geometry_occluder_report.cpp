@@ -16,6 +16,13 @@ PlotPoint bar(const Interval& share) {
   return {.y = 100 * share.estimate, .y_low = 100 * share.low, .y_high = 100 * share.high, .label = {}};
 }
 
+/// Share of placements with an outcome.
+double share_of(const OccluderStudy& study, bool OccluderOutcome::*outcome) {
+  const auto with = std::count_if(study.outcomes.begin(), study.outcomes.end(),
+                                  [outcome](const OccluderOutcome& o) { return o.*outcome; });
+  return static_cast<double>(with) / static_cast<double>(study.outcomes.size());
+}
+
 double mean_geometry_px(const OccluderStudy& study) {
   double sum = 0;
   for (const OccluderOutcome& outcome : study.outcomes) sum += outcome.geometry_px;
@@ -56,11 +63,12 @@ void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& stu
     const std::vector<std::pair<std::string, Cell>> columns{{"occluders", set},
                                                             {"kind", std::string(name_of(study.kind))},
                                                             {"placements", static_cast<long long>(n)}};
-    const double placements = static_cast<double>(n);
-    result.rows.add(
-        {"unseen_placement_share", static_cast<double>(study.unseen()) / placements, "1", columns});
-    result.rows.add(
-        {"hidden_placement_share", static_cast<double>(study.hidden()) / placements, "1", columns});
+    for (const auto& [quantity, outcome] :
+         {std::pair{"unseen_placement_share", &OccluderOutcome::unseen},
+          {"hidden_placement_share", &OccluderOutcome::hidden},
+          {"unseen_placement_share_one_px_rim", &OccluderOutcome::unseen_2x2},
+          {"hidden_placement_share_one_px_rim", &OccluderOutcome::hidden_2x2}})
+      result.rows.add({quantity, share_of(study, outcome), "1", columns});
     const UnseenCauses causes = mean_causes({study});
     result.rows.add({"unseen_px_per_view", causes.all(), "px", columns});
     result.rows.add({"unseen_hidden_px_per_view", causes.hidden, "px", columns});

@@ -108,15 +108,19 @@ OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, in
   double most = -1;
   for (const CameraPosition position : positions_in_cell(seed)) {
     const auto view = synthesizer.synthesize(position, options);
-    const Mask unseen = beyond_rim(where_zero(view.visible_views));
+    const Mask all_unseen = where_zero(view.visible_views),
+               all_hidden = hidden_from_all(world, grid, position);
+    const Mask unseen = beyond_rim(all_unseen);
     const UnseenCauses causes = causes_of(unseen, world, grid, position);
-    const auto hidden = static_cast<double>(count_set(beyond_rim(hidden_from_all(world, grid, position))));
+    const auto hidden = static_cast<double>(count_set(beyond_rim(all_hidden)));
     outcome.unseen_px.hidden += causes.hidden / kPositions;
     outcome.unseen_px.behind += causes.behind / kPositions;
     outcome.unseen_px.beside += causes.beside / kPositions;
     outcome.geometry_px += hidden / kPositions;
     outcome.unseen = outcome.unseen || causes.all() > 0;
     outcome.hidden = outcome.hidden || hidden > 0;
+    outcome.unseen_2x2 = outcome.unseen_2x2 || count_set(beyond_rim(all_unseen, 2)) > 0;
+    outcome.hidden_2x2 = outcome.hidden_2x2 || count_set(beyond_rim(all_hidden, 2)) > 0;
     if (causes.all() > most) most = causes.all(), outcome.worst = position;
   }
   return outcome;

@@ -62,7 +62,8 @@ struct OccluderOutcome {
   double geometry_px = 0;  ///< beyond the rim, mean over the positions: truly hidden from all key views
   bool unseen = false;     ///< at any position some pixel beyond the rim was unseen
   bool hidden = false;     ///< at any position some pixel beyond the rim was truly hidden
-  CameraPosition worst;    ///< position with most unseen pixels
+  bool unseen_2x2 = false, hidden_2x2 = false;  ///< the same where only strips of one pixel count as rim
+  CameraPosition worst;                         ///< position with most unseen pixels
 };
 OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, int threads);
 

@@ -1,7 +1,6 @@
 #include "experiments/reproduce/claims/probes.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/base/content_hash.h"
 #include "stimuli/scenes/modelling/parts.h"
@@ -39,15 +38,6 @@ Mesh parallelogram(const Vec3& corner, const Vec3& edge_u, const Vec3& edge_v) {
 Mesh card(const Vec3& centre, float width, float height) {
   // x × z = −y: towards the camera.
   return parallelogram(centre - Vec3{width / 2, 0, height / 2}, Vec3{width, 0, 0}, Vec3{0, 0, height});
-}
-
-Mesh backdrop(const ViewGrid& grid, float depth) {
-  const double half_width = depth * std::tan(grid.fov_h_deg * std::numbers::pi / 360);
-  const double half_height = half_width * grid.height / grid.width;
-  const double travel_x = (grid.columns - 1) * grid.spacing_x_m,
-               travel_y = (grid.rows - 1) * grid.spacing_y_m;
-  return card({0, depth, 0}, static_cast<float>(1.1 * (2 * half_width + travel_x)),
-              static_cast<float>(1.1 * (2 * half_height + travel_y)));
 }
 
 Mesh block(const Vec3& centre, const Vec3& size) {

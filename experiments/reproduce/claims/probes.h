@@ -63,9 +63,6 @@ void add_surface(Scene& scene, Material material, const Mesh& mesh);
 Mesh parallelogram(const Vec3& corner_m, const Vec3& edge_u_m, const Vec3& edge_v_m);
 /// Rectangle parallel to the image, centred at a point, facing the camera of empty_probe.
 Mesh card(const Vec3& centre_m, float width_m, float height_m);
-/// Rectangle parallel to the image at a depth that fills the image of every camera of the grid, with 10 % to
-/// spare.
-Mesh backdrop(const ViewGrid& grid, float depth_m);
 /// Axis-aligned box with sharp edges: bars, posts, blocks. u, v in metres on each face.
 Mesh block(const Vec3& centre_m, const Vec3& size_m);
 
