@@ -64,6 +64,8 @@ void add_self_check_rows(ResultTable& table, const SelfCheckResult& check, const
     table.add({"self_check_error", e.error, "1", with_hypothesis});
   }
   table.add({"self_check_best_scale", check.best_scale, "1", columns});
+  table.add({"self_check_best_scale_x", check.best_scale_x, "1", columns});
+  table.add({"self_check_best_scale_y", check.best_scale_y, "1", columns});
 }
 
 ResultTable light_field_info(const AnyLightField& any, const InfoOptions& options, SelfCheckResult& check) {

@@ -28,6 +28,9 @@ constexpr float kDepthEdge_px = 1.0f;
 // A hypothesis must beat the stated one by this factor, and the stated one the opposite sign, to be believed.
 constexpr double kClearlyBetter = 0.8;
 constexpr double kScaleTolerance = 0.12;
+// A scale is wrong if the stated one costs this share of what the opposite sign costs: noise, which raises
+// all errors alike, then does not hide it.
+constexpr double kScaleShare = 0.15;
 
 double scale_at(int i) {
   return kSmallestScale * std::pow(kLargestScale / kSmallestScale, static_cast<double>(i) / (kScales - 1));
@@ -244,6 +247,14 @@ std::pair<double, double> best_scale(const AxisErrors& x, const AxisErrors& y) {
   return best;
 }
 
+// Whether another scale than the stated one explains the pairs of these axes better, beyond noise.
+bool is_wrong_scale(const AxisErrors& x, const AxisErrors& y) {
+  const auto [scale, scaled_error] = best_scale(x, y);
+  const double stated = combined(x, kStated, y, kStated), opposite = combined(x, kFlipped, y, kFlipped);
+  return std::abs(scale - 1) > kScaleTolerance &&
+         stated - scaled_error > kScaleShare * (opposite - scaled_error);
+}
+
 SelfCheckVerdict verdict_of(DisparityHypothesis hypothesis) {
   switch (hypothesis) {
     case DisparityHypothesis::kAsStated:
@@ -272,6 +283,11 @@ void decide(const AxisErrors& x, const AxisErrors& y, SelfCheckResult& result) {
   const double stated = result.errors.front().error;
   const auto [scale, scaled_error] = best_scale(x, y);
   result.best_scale = scale;
+  const AxisErrors nothing;
+  if (x.pairs > 0) result.best_scale_x = best_scale(x, nothing).first;
+  if (y.pairs > 0) result.best_scale_y = best_scale(nothing, y).first;
+  const bool wrong_along_an_axis =
+      (x.pairs > 0 && is_wrong_scale(x, nothing)) || (y.pairs > 0 && is_wrong_scale(nothing, y));
   // How much a mistake in sign shows at all; a light field without disparity or texture shows none.
   const double none = result.error(DisparityHypothesis::kNoShift);
   const double opposite = combined(x, kFlipped, y, kFlipped);
@@ -280,7 +296,8 @@ void decide(const AxisErrors& x, const AxisErrors& y, SelfCheckResult& result) {
                              best.error <= scaled_error;
   if (flipped_scale && best.error < kClearlyBetter * stated)
     result.verdict = verdict_of(best.hypothesis);
-  else if (std::abs(scale - 1) > kScaleTolerance && scaled_error < kClearlyBetter * stated)
+  else if (is_wrong_scale(x, y) ||
+           (wrong_along_an_axis && stated < kClearlyBetter * std::max(opposite, none)))
     result.verdict = SelfCheckVerdict::kWrongScale;
   else if (stated < kClearlyBetter * std::max(opposite, none))
     result.verdict = SelfCheckVerdict::kConsistent;
@@ -302,9 +319,10 @@ std::string explain(const SelfCheckResult& r) {
       return "the views match if rows and columns are exchanged: swap {row} and {column} in the file names";
     case SelfCheckVerdict::kWrongScale:
       return fmt::format(
-          "the views match if disparity is multiplied by {:.2f}: correct the spacing, the opening angle or "
-          "the unit of depth",
-          r.best_scale);
+          "the views match if disparity is multiplied by {:.2f} between columns and {:.2f} between rows: "
+          "correct "
+          "the spacings, the opening angle or the unit of depth",
+          r.best_scale_x, r.best_scale_y);
     case SelfCheckVerdict::kInconsistent:
       return "the views match best without any displacement, although disparity is not zero";
     case SelfCheckVerdict::kUndecidable:

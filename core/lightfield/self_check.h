@@ -45,7 +45,10 @@ struct SelfCheckResult {
   SelfCheckVerdict verdict = SelfCheckVerdict::kUndecidable;
   std::vector<HypothesisError> errors;  ///< one for each hypothesis tried, in the order of the enumeration
   double best_scale = 1;    ///< factor on disparity with the least error, of a search over [0.4, 2.5]
-  int pairs = 0;            ///< neighbouring view pairs compared
+  double best_scale_x = 1;  ///< the same between columns alone, 1 without such pairs
+  double best_scale_y =
+      1;          ///< the same between rows alone: differs from the other if the spacings' ratio is wrong
+  int pairs = 0;  ///< neighbouring view pairs compared
   std::string explanation;  ///< one sentence for people
   double error(DisparityHypothesis hypothesis) const;
 };

@@ -65,6 +65,19 @@ TEST(SelfCheck, AWrongScaleIsEstimated) {
   }
 }
 
+TEST(SelfCheck, AWrongRatioOfTheSpacingsIsFoundAlongItsAxis) {
+  TwoPlanes scene;
+  const Views views = scene.views();
+  for (const double factor : {0.5, 2.0}) {
+    ViewGrid grid = scene.grid;
+    grid.spacing_y_m *= factor;
+    const SelfCheckResult result = self_check(make(grid, views));
+    EXPECT_EQ(result.verdict, SelfCheckVerdict::kWrongScale) << factor << " " << result.explanation;
+    EXPECT_NEAR(result.best_scale_x, 1, 0.05) << factor;
+    EXPECT_NEAR(result.best_scale_y * factor, 1, 0.1) << factor;
+  }
+}
+
 TEST(SelfCheck, UnequalSpacingsScaleVerticalShifts) {
   TwoPlanes scene;
   scene.grid.spacing_y_m = 0.15;
