@@ -97,6 +97,34 @@ TEST(ClaimsAppearance, BorderStepsAreThoseOfTheErrorWhereTheSetOfViewsChanges) {
   for (const double step : steps) EXPECT_NEAR(step, 0.04, 1e-6);
 }
 
+TEST(ClaimsAppearance, NoOrOneLampGivesNoIntervalThatCouldDecideAClaim) {
+  const std::vector<LampCopies> none, one(1), two{{.spots = 1}, {.spots = 4}};
+  EXPECT_FALSE(mean_spots(none, 1).has_value());
+  EXPECT_FALSE(mean_strength(none, 1).has_value());
+  EXPECT_FALSE(mean_spots(one, 1).has_value());
+  ASSERT_TRUE(mean_spots(two, 1).has_value());
+  EXPECT_EQ(mean_spots(two, 1)->estimate, 2.5);
+  EXPECT_EQ(mean_spots(two, 1)->low, 1);
+  EXPECT_EQ(mean_spots(two, 1)->high, 4);
+  EXPECT_EQ(mean_truth_spots(none), 0);
+}
+
+TEST(ClaimsAppearance, ARatioOfErrorsPairsTheTilesThatBothHold) {
+  const TileErrors dense{.tile = {0, 2, 3}, .error = {1, 4, 100}, .noise = {0, 0, 0}};
+  const TileErrors sparse{.tile = {0, 1, 2}, .error = {4, 100, 16}, .noise = {0, 0, 0}};
+  const Interval ratio = root_ratio_interval(dense, sparse, 1);
+  EXPECT_NEAR(ratio.estimate, 0.5, 1e-12);
+  EXPECT_NEAR(ratio.low, 0.5, 1e-12);
+  EXPECT_NEAR(ratio.high, 0.5, 1e-12);
+}
+
+TEST(ClaimsAppearance, DrawingRepeatedRowsTogetherWidensTheInterval) {
+  std::vector<double> rows;
+  for (int block = 0; block < 6; ++block) rows.insert(rows.end(), 20, block);
+  const Interval single = mean_interval(rows, 1).value(), blocks = mean_interval(rows, 1, 20).value();
+  EXPECT_GT(blocks.high - blocks.low, 2 * (single.high - single.low));
+}
+
 TEST(ClaimsAppearance, ProjectsThePointOnTheMiddleRayToTheImageCentre) {
   const Scene scene = floor_probe({});
   const ViewGrid grid{2, 2, 0.3, 0.3, 192, 108, 60};

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -90,6 +91,27 @@ TEST(GeometryMeasures, AStripOfTwoPixelsIsRimAndABlockOfThreeIsNot) {
   EXPECT_EQ(count_set(beyond_rim(rectangle_mask(12, 12, 9, 9, 3, 3))), 9u);
 }
 
+TEST(GeometryMeasures, WithARimOfOnePixelAStripOfTwoPixelsIsNoRim) {
+  EXPECT_EQ(count_set(beyond_rim(rectangle_mask(12, 12, 1, 4, 10, 2), 2)), 20u);
+  EXPECT_EQ(count_set(beyond_rim(rectangle_mask(12, 12, 1, 4, 10, 1), 2)), 0u);
+}
+
+TEST(GeometryOccluders, TheRarestShapeIsFoundForGeometryAndSynthesisApart) {
+  const auto study = [](ShapeKind kind, bool unseen, bool hidden) {
+    OccluderStudy s;
+    s.kind = kind;
+    s.outcomes.resize(2);
+    s.outcomes[1].unseen = unseen;
+    s.outcomes[1].hidden = hidden;
+    return s;
+  };
+  const std::vector<OccluderStudy> studies{study(ShapeKind::kDisc, true, false),
+                                           study(ShapeKind::kSquare, false, true)};
+  EXPECT_EQ(rarest_of(studies, UnseenBy::kGeometry).kind, ShapeKind::kDisc);
+  EXPECT_EQ(rarest_of(studies, UnseenBy::kSynthesis).kind, ShapeKind::kSquare);
+  EXPECT_EQ(unseen_share(studies, UnseenBy::kGeometry).estimate, 0.25);
+}
+
 TEST(GeometryMeasures, RegionsThatTouchByCornersAreOne) {
   Mask mask = rectangle_mask(8, 8, 0, 0, 2, 2);
   mask.at(2, 2) = 1;
@@ -153,6 +175,26 @@ TEST(GeometryOccluders, SynthesisMissesWhatGeometryHides) {
   const OccluderOutcome outcome = judge(facing_squares(4, 12), 1, 1);
   EXPECT_TRUE(outcome.unseen);
   EXPECT_GT(outcome.unseen_px.hidden, 5);
+}
+
+TEST(GeometryClaims, TheFrustumBoundHoldsOnlyWithOnePixelLessThanTheImage) {
+  constexpr int kHeight = 36;
+  const auto lost_rays = [](double disparity_px) {
+    FlatWorld world;
+    world.surfaces = {plain_surface(disparity_px, 0.5f)};
+    SynthesisOptions options;
+    options.record_provenance = true;
+    const auto view =
+        synthesize(flat_light_field(world, probe_grid(2, 2, 0.1, 48, kHeight), "plane"), {0.5, 0.3}, options);
+    const auto pixels = view.provenance.pixels();
+    return std::count_if(pixels.begin(), pixels.end(), [](const PixelProvenance& pixel) {
+      return std::all_of(pixel.begin(), pixel.end(), [](const Correspondence& c) {
+        return c.state == CorrespondenceState::kOutOfFrustum;
+      });
+    });
+  };
+  EXPECT_EQ(lost_rays(kHeight - 1), 0);
+  EXPECT_EQ(lost_rays(kHeight - 0.05), 48);  // one row of pixels
 }
 
 TEST(GeometryClaims, EveryClaimOnProbesIsDecidedOnFiniteNumbersInATinyRun) {

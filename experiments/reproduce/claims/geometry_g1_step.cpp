@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "core/image/colour.h"
 #include "core/synthesis/synthesizer.h"
@@ -90,17 +91,26 @@ Interval share_at_one(const std::vector<StepErrors>& views, std::uint64_t seed) 
       seed);
 }
 
-/// The step at which the curve over the logarithm of the step lies farthest below the line between its ends.
-double knee_px(const std::vector<StepErrors>& views) {
+/// The step at which the curve over the logarithm of the step lies farthest below the line between its ends;
+/// empty if it lies below it nowhere.
+std::optional<double> knee_px(const std::vector<StepErrors>& views) {
   const auto all = all_of(views);
   const std::size_t last = kSteps_px.size() - 1;
-  double deepest = 0, knee = kSteps_px[0];
+  const double whole = mean_loss(views, all, last);
+  double deepest = 0;
+  std::optional<double> knee;
   for (std::size_t k = 1; k < last; ++k) {
-    const double chord = mean_loss(views, all, last) * static_cast<double>(k) / static_cast<double>(last);
-    const double below = chord - mean_loss(views, all, k);
+    const double below =
+        whole * static_cast<double>(k) / static_cast<double>(last) - mean_loss(views, all, k);
     if (below > deepest) deepest = below, knee = kSteps_px[k];
   }
   return knee;
+}
+
+std::string knee_text(const std::vector<StepErrors>& views) {
+  const std::optional<double> knee = knee_px(views);
+  if (!knee) return "Over the logarithm of the step the curve has no knee.";
+  return fmt::format("Over the logarithm of the step the curve bends most at {:g} px.", *knee);
 }
 
 Plot plot_of(const std::vector<StepErrors>& views, std::uint64_t seed) {
@@ -173,11 +183,13 @@ Verdict decide_knee(const std::vector<StepErrors>& views, std::uint64_t seed) {
     if (std::find(verdict.scenes.begin(), verdict.scenes.end(), view.scene) == verdict.scenes.end())
       verdict.scenes.push_back(view.scene);
   verdict.explanation = fmt::format(
-      "Of the RMS difference (encoded values) between views with steps of {:g} and {:g} px, the share that "
-      "steps of {:g} px have already: {}. A difference in proportion to the step, without any knee, would "
-      "give {:g}; less means that the curve is flat up to {:g} px and bends afterwards.",
-      kSteps_px.back(), kSteps_px.front(), kSteps_px[kOne], interval_text(share), kShareWithoutKnee,
-      kSteps_px[kOne]);
+      "The claim is read as: the curve of change over step is flat up to {:g} px and bends afterwards. Of "
+      "the "
+      "RMS difference (encoded values) between views with steps of {:g} and {:g} px, steps of {:g} px have "
+      "this share already: {}; a difference in proportion to the step would give {:g}. Whether a viewer "
+      "accepts the change is not decided.",
+      kSteps_px[kOne], kSteps_px.back(), kSteps_px.front(), kSteps_px[kOne], interval_text(share),
+      kShareWithoutKnee);
   return verdict;
 }
 
@@ -204,9 +216,8 @@ ReproductionResult reproduce_claim_g1(Laboratory& laboratory) {
       "artefacts; no error "
       "is given (section 4.1.3).";
   result.ours_shows = fmt::format(
-      "Against views with steps of {:g} px the RMS difference of encoded values is {}. {} Over the logarithm "
-      "of the step the curve bends most at {:g} px.",
-      kSteps_px.front(), losses_text(views, seed), outcome_text(verdict.outcome), knee_px(views));
+      "Against views with steps of {:g} px the RMS difference of encoded values is {}. {} {}",
+      kSteps_px.front(), losses_text(views, seed), outcome_text(verdict.outcome), knee_text(views));
   const Interval at_one = loss_interval(views, kOne, seed);
   result.differs = fmt::format(
       "The thesis judged artefacts by eye. Here steps of {:g} px change a view by {} of the display range, "
