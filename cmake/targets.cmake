@@ -24,7 +24,7 @@ function(plenolab_test name folder)
   endif()
   add_executable(test_${name} ${sources})
   target_link_libraries(test_${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
-  target_compile_definitions(test_${name} PRIVATE PLENOLAB_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
+  target_compile_definitions(test_${name} PRIVATE
     PLENOLAB_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PLENOLAB_PROGRAM="${CMAKE_BINARY_DIR}/bin/plenolab")
   gtest_discover_tests(test_${name} TEST_PREFIX "${name}." DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300)
 endfunction()

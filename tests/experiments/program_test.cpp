@@ -191,6 +191,28 @@ TEST(Program, AnImportedHciFolderIsEvaluatedAsItIs) {
   EXPECT_GT(total->at("value").get<double>(), 30);
 }
 
+TEST(Program, CsvGoesToStandardOutputAlone) {
+  const TemporaryFolder folder;
+  const fs::path field = written_plane(folder.path() / "field");
+  const ProgramResult result = run_program({"info", field, "--csv", "-"});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_TRUE(result.out.starts_with("path,")) << result.out.substr(0, 80);
+  EXPECT_EQ(result.out.find("self-check:"), std::string::npos);
+  EXPECT_EQ(run_program({"info", field, "--csv", "-", "--json", "-"}).status, 2);
+}
+
+TEST(Program, OptionsThatDoNotApplyAreWrongUse) {
+  const TemporaryFolder folder;
+  const fs::path field = written_plane(folder.path() / "field"), out = folder.path() / "out";
+  EXPECT_EQ(run_program({"convert", field, "--spacing-x", "0.2", "-o", out}).status, 2);
+  EXPECT_EQ(run_program({"convert", field, "--linear", "-o", out}).status, 2);
+  EXPECT_EQ(run_program({"synth", field, "--at", "0,0", "-o", out / "x.exr", "--provenance", "p.png"}).status,
+            2);
+  fs::remove(field / "lightfield.json");
+  EXPECT_EQ(run_program({"convert", field, "-o", out}).status, 2);
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST(Program, FramesOfAVideoMakeAnEpi) {
   const TemporaryFolder folder;
   const fs::path field = written_plane(folder.path() / "field");

@@ -194,5 +194,19 @@ TEST(Error, AFailedCheckSaysWhereAndWithWhichValues) {
   }
 }
 
+TEST(File, ADeviceIsWrittenIntoAndStaysADevice) {
+  write_text_file("/dev/null", "gone");
+  EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+}
+
+TEST(File, ALinkStaysAndTheFileBehindItIsReplaced) {
+  const TemporaryFolder folder;
+  write_text_file(folder.path() / "target.txt", "old");
+  std::filesystem::create_symlink("target.txt", folder.path() / "link.txt");
+  write_text_file(folder.path() / "link.txt", "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder.path() / "link.txt"));
+  EXPECT_EQ(read_text_file(folder.path() / "target.txt"), "new");
+}
+
 }  // namespace
 }  // namespace plenolab
