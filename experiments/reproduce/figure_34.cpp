@@ -16,7 +16,7 @@ ReproductionResult reproduce_light_shafts(Laboratory& laboratory) {
       "overlapping copies of each shaft, which fade in and out in the epipolar image as the camera moves.";
   result.ours_shows = fmt::format(
       "View from {}, midway between two key views of a row, of {} such positions the one where key views "
-      "disagree most within one crop; enlarged is the part with the largest error beyond noise among pixels "
+      "disagree most within one crop; enlarged is the part with the largest error among pixels "
       "that "
       "all key views see. There the PSNR is {:.1f} dB (whole view {:.1f} dB), and the error is {:.1f} times "
       "that of "

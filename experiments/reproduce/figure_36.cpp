@@ -23,7 +23,8 @@ ReproductionResult reproduce_water(Laboratory& laboratory) {
       "the truth beside them.";
   result.ours_shows = fmt::format(
       "View from {}, the centre of the cell, of {}, where key views disagree most within one crop; enlarged "
-      "is the part with the largest error beyond noise among pixels that all key views see. PSNR {:.1f} dB "
+      "is the part with the largest error among pixels that all key views see. "
+      "PSNR {:.1f} dB "
       "and SSIM "
       "{:.3f} there, {:.1f} dB and {:.3f} in the whole view; {} of the enlarged pixels differ visibly "
       "(encoded difference above {}).",

@@ -26,11 +26,10 @@ std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& fiel
   return synthesize(sparser, there, options);
 }
 
-/// Error, beyond noise, of the pixels whose surface every key view sees: it comes from appearance, not from
-/// geometry.
-Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth) {
-  Plane<float> error =
-      significant_squared_difference(view.image, truth, figure_exposure(truth), kSmoothingRadius);
+/// Error of the pixels whose surface every key view sees: it comes from appearance, not from geometry.
+Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth, bool coherent) {
+  const auto difference = coherent ? coherent_squared_difference : smoothed_squared_difference;
+  Plane<float> error = difference(view.image, truth, figure_exposure(truth), kSmoothingRadius);
   for (std::size_t n = 0; n < error.size(); ++n)
     if (view.visible_views.pixels()[n] < view.views.size()) error.pixels()[n] = 0;
   return error;
@@ -53,9 +52,9 @@ double concentration(const Plane<float>& error, const PixelBox& box) {
 }
 
 /// Moves the box of the place to the part worth enlarging; returns the row for the epipolar image.
-int choose_part(Place& place, const SceneImage& truth, bool at_borders) {
-  if (at_borders) return densest_row(place.effect, place.box);
-  const Plane<float> error = appearance_error(place.view, truth);
+int choose_part(Place& place, const SceneImage& truth, const AppearanceOptions& options) {
+  if (options.at_borders) return densest_row(place.effect, place.box);
+  const Plane<float> error = appearance_error(place.view, truth, options.coherent);
   place.box = densest_box(error, place.box.width);
   return densest_row(error, place.box);
 }
@@ -89,7 +88,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   const NovelView<SceneReferred>& view = study.place.view;
   const auto rendered = laboratory.truth(options.scene, view.position, kTruthPathFactor);
   const SceneImage& truth = rendered.colour;
-  const int row = choose_part(study.place, truth, options.at_borders);
+  const int row = choose_part(study.place, truth, options);
   const PixelBox& box = study.place.box;
   study.rms_disagreement = std::sqrt(mean_inside(study.place.effect, box));
   study.error_concentration =

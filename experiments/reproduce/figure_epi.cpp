@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -20,22 +22,25 @@ namespace {
 constexpr int kStretch = 4;  // rows a frame is drawn with
 constexpr int kMagnification = 4;
 constexpr double kEpiSpan = 2;  // column spacings
+constexpr double kNear = 0.1;   // column spacings
 
-double distance_to_key(CameraPosition position) {
-  return std::abs(position.s - std::round(position.s));
-}
-
-/// RMS of the frames' errors whose distance to the nearest column of key views is as near to `wanted` as any
-/// frame comes.
-double error_at(const EpiPair& epi, const std::vector<double>& errors, double wanted) {
+/// RMS of the errors of the frames that are as near as any to one of the positions `wanted`, or within
+/// `tolerance` of it.
+double error_near(const EpiPair& epi, const std::vector<double>& errors, std::initializer_list<double> wanted,
+                  double tolerance) {
   constexpr double kSame = 1e-6;
-  double nearest = 1;
-  for (const CameraPosition& p : epi.positions)
-    nearest = std::min(nearest, std::abs(distance_to_key(p) - wanted));
+  const auto distance = [&](std::size_t frame) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const double s : wanted) nearest = std::min(nearest, std::abs(epi.positions[frame].s - s));
+    return nearest;
+  };
+  double limit = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < errors.size(); ++i) limit = std::min(limit, distance(i));
+  limit = std::max(limit, tolerance) + kSame;
   double sum = 0;
   int count = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
-    if (std::abs(distance_to_key(epi.positions[i]) - wanted) > nearest + kSame) continue;
+    if (distance(i) > limit) continue;
     sum += errors[i] * errors[i];
     ++count;
   }
@@ -115,20 +120,17 @@ ImageComparison enlarged_epi(const EpiPair& epi, const PixelBox& box, float expo
   return part;
 }
 
-bool is_whole(double value) {
-  return value == std::round(value);
-}
-
 EpiNumbers numbers_of(const EpiPair& epi, const PixelBox& box, float exposure,
                       const std::vector<double>& errors) {
   EpiNumbers numbers;
-  numbers.rms_at_keys = error_at(epi, errors, 0);
-  numbers.rms_between = error_at(epi, errors, 0.5);
-  const bool through_keys =
-      std::any_of(epi.positions.begin(), epi.positions.end(),
-                  [](const CameraPosition& p) { return is_whole(p.s) && is_whole(p.t); });
-  if (through_keys)
-    numbers.rms_between_without_noise = without_noise(numbers.rms_between, numbers.rms_at_keys);
+  const double left = std::floor(epi.at_s), right = std::ceil(epi.at_s);
+  numbers.rms_at_keys = error_near(epi, errors, {left, right}, kNear);
+  numbers.rms_between = error_near(epi, errors, {(left + right) / 2}, kNear);
+  const auto is_left = [left](const CameraPosition& p) { return p.s == left && p.t == std::round(p.t); };
+  if (std::any_of(epi.positions.begin(), epi.positions.end(), is_left)) {
+    numbers.rms_noise = error_near(epi, errors, {left, right}, 0);
+    numbers.rms_between_without_noise = without_noise(numbers.rms_between, *numbers.rms_noise);
+  }
   const double rms =
       rms_difference(epi.synthesised, epi.truth, exposure, {box.x, 0, box.width, epi.truth.height()});
   numbers.psnr_db = psnr_db(1, rms * rms);
@@ -143,29 +145,31 @@ bool fades(const EpiNumbers& epi) {
 
 std::string fading_text(const EpiNumbers& epi) {
   std::string text = fmt::format(
-      "Along the camera motion the error of these columns is {:.3f} (encoded RMS) at columns of key views "
-      "and "
-      "{:.3f} midway between them",
+      "Along the camera motion the error of these columns is {:.3f} (encoded RMS) within a tenth of the "
+      "spacing "
+      "from the columns of key views and {:.3f} around the middle between them",
       epi.rms_at_keys, epi.rms_between);
   if (epi.rms_at_keys > 0) text += fmt::format(", {:.1f} times as much", epi.rms_between / epi.rms_at_keys);
-  if (epi.rms_between_without_noise)
+  if (epi.rms_noise)
     text += fmt::format(
-        ". At key views the synthesis is the key view itself, so that the error there is path tracing noise; "
-        "less the noise to be expected midway, {:.3f} remain there",
-        *epi.rms_between_without_noise);
+        ". At the key views exactly it is {:.3f}: the synthesis is the key view itself there, so this is "
+        "path "
+        "tracing noise. Without the noise expected in the middle {:.3f} remain there",
+        *epi.rms_noise, *epi.rms_between_without_noise);
   return text + ".";
 }
 
-double without_noise(double rms_between, double rms_at_keys) {
+double without_noise(double rms_between, double rms_noise) {
   constexpr double kTruthNoise = 1.0 / kTruthPathFactor;  // variance in units of a key view's
   constexpr double kOfKeys = (0.5 + kTruthNoise) / (1 - kTruthNoise);
-  return std::sqrt(std::max(0.0, rms_between * rms_between - kOfKeys * rms_at_keys * rms_at_keys));
+  return std::sqrt(std::max(0.0, rms_between * rms_between - kOfKeys * rms_noise * rms_noise));
 }
 
 EpiPair record_epi(Laboratory& laboratory, const std::string& scene, CameraPosition at, int row) {
   const ViewGrid grid = laboratory.grid(scene);
   EpiPair result;
   result.row = row;
+  result.at_s = at.s;
   const double last = grid.columns - 1;
   const double from = std::clamp(at.s - kEpiSpan / 2, 0.0, std::max(last - kEpiSpan, 0.0));
   result.positions = straight_path({from, at.t}, {std::min(from + kEpiSpan, last), at.t}, kEpiFrames);
@@ -200,6 +204,7 @@ EpiNumbers add_epi(ReproductionResult& result, const EpiPair& epi, const PixelBo
   result.rows.add({"epi_psnr_gamma_db", numbers.psnr_db, "dB", columns});
   result.rows.add({"epi_rms_at_keys", numbers.rms_at_keys, "1", columns});
   result.rows.add({"epi_rms_between", numbers.rms_between, "1", columns});
+  if (numbers.rms_noise) result.rows.add({"epi_rms_noise", *numbers.rms_noise, "1", columns});
   if (numbers.rms_between_without_noise)
     result.rows.add({"epi_rms_between_without_noise", *numbers.rms_between_without_noise, "1", columns});
   return numbers;

@@ -149,19 +149,17 @@ Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImag
   return smooth;
 }
 
-Plane<float> significant_squared_difference(const SceneImage& test, const SceneImage& reference,
-                                            float exposure, int radius) {
-  constexpr float kVariances = 3;
+Plane<float> coherent_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
+                                         int radius) {
   const Plane<float> difference = luma_difference(test, reference, exposure);
   Plane<float> squares = difference;
   for (float& v : squares.pixels()) v *= v;
   Plane<float> result = box_mean(difference, radius);
   const Plane<float> mean_square = box_mean(squares, radius);
-  const auto window = static_cast<float>((2 * radius + 1) * (2 * radius + 1));
   for (std::size_t n = 0; n < result.size(); ++n) {
-    const float mean = result.pixels()[n];
-    const float variance_of_mean = std::max(0.0f, mean_square.pixels()[n] - mean * mean) / window;
-    result.pixels()[n] = std::max(0.0f, mean * mean - kVariances * variance_of_mean);
+    const float squared_mean = result.pixels()[n] * result.pixels()[n];
+    const float variance = std::max(0.0f, mean_square.pixels()[n] - squared_mean);
+    result.pixels()[n] = std::max(0.0f, squared_mean - variance);
   }
   return result;
 }

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include "experiments/reproduce/figure_epi.h"
 #include "experiments/reproduce/figure_pictures.h"
 #include "experiments/reproduce/figure_places.h"
+#include "experiments/reproduce/figure_restoration.h"
 #include "experiments/reproduce/figure_tools.h"
 
 namespace plenolab {
@@ -173,6 +175,69 @@ TEST(MaskedRows, CountOnlyPixelsOfTheMaskAndSkipAnEmptyOne) {
   EXPECT_EQ(numbers->pixels, 2u);
   EXPECT_EQ(numbers->visible_share, 0.5);
   EXPECT_EQ(numbers->truth_spread, 0);
+}
+
+TEST(CoherentDifference, KeepsACommonOffsetAndDropsWhatDiffersFromPixelToPixel) {
+  const SceneImage truth = constant_image(12, 12, 0.25f), brighter = constant_image(12, 12, 0.5f);
+  SceneImage glitter = truth;
+  for (int y = 0; y < 12; ++y)
+    for (int x = 0; x < 12; x += 3) glitter.at(x, y) = Rgb{1, 1, 1};
+  const auto offset = static_cast<float>(std::pow(0.5, 1 / 2.2) - std::pow(0.25, 1 / 2.2));
+  EXPECT_NEAR(coherent_squared_difference(brighter, truth, 1, 4).at(6, 6), offset * offset, 1e-4f);
+  EXPECT_EQ(coherent_squared_difference(glitter, truth, 1, 4).at(6, 6), 0);
+  EXPECT_GT(smoothed_squared_difference(glitter, truth, 1, 4).at(6, 6), 0.01f);
+}
+
+TEST(WithoutNoise, LeavesNothingOfNoiseAloneAndEverythingWithoutNoise) {
+  // Variances in units of a key view's: 1 - 1/4 at a key view, 1/2 + 1/4 midway.
+  EXPECT_NEAR(without_noise(std::sqrt(0.75), std::sqrt(0.75)), 0, 1e-6);
+  EXPECT_DOUBLE_EQ(without_noise(0.2, 0), 0.2);
+  EXPECT_EQ(without_noise(0.1, 0.2), 0);
+  EXPECT_NEAR(without_noise(0.5, 0.3), 0.4, 1e-12);
+}
+
+/// Frames over two spacings, wrong by an amount that grows from key views to the middle, or by a constant.
+EpiPair epi_with_error(double t, bool grows) {
+  EpiPair epi;
+  epi.positions = straight_path({0, t}, {2, t}, kEpiFrames);
+  epi.truth = epi.synthesised = constant_image(16, kEpiFrames, 0.25f);
+  epi.at_s = 0.5;
+  for (int frame = 0; frame < kEpiFrames; ++frame) {
+    const double s = epi.positions[static_cast<std::size_t>(frame)].s;
+    const auto error = static_cast<float>(grows ? std::abs(s - std::round(s)) : 0.3);
+    for (int x = 0; x < 16; ++x) epi.synthesised.at(x, frame) += Rgb{error, error, error};
+  }
+  return epi;
+}
+
+EpiNumbers numbers_of(const EpiPair& epi) {
+  ReproductionResult result;
+  return add_epi(result, epi, {0, 0, 16, 16}, 1, 2, "test", {});
+}
+
+TEST(EpiNumbers, TellAnErrorThatFadesTowardsKeyViewsFromOneThatDoesNot) {
+  EXPECT_TRUE(fades(numbers_of(epi_with_error(0, true))));
+  EXPECT_FALSE(fades(numbers_of(epi_with_error(0, false))));
+}
+
+TEST(EpiNumbers, KnowTheNoiseOnlyIfTheMotionPassesThroughKeyViews) {
+  const EpiNumbers through = numbers_of(epi_with_error(0, true));
+  ASSERT_TRUE(through.rms_noise.has_value());
+  EXPECT_NEAR(*through.rms_noise, 0, 1e-6);
+  EXPECT_NEAR(*through.rms_between_without_noise, through.rms_between, 1e-6);
+  EXPECT_FALSE(numbers_of(epi_with_error(0.5, true)).rms_noise.has_value());
+}
+
+TEST(RestoredBeforeBackground, FollowsTheDepthOfTheTruthOnly) {
+  Mask restored(3, 1);
+  restored.at(0, 0) = restored.at(1, 0) = 1;
+  DisparityMap truth(3, 1);
+  truth.at(0, 0) = kFarBackground_px;
+  truth.at(1, 0) = 2 * kFarBackground_px;
+  const Mask mask = restored_before_background(restored, truth);
+  EXPECT_EQ(mask.at(0, 0), 1);
+  EXPECT_EQ(mask.at(1, 0), 0);
+  EXPECT_EQ(mask.at(2, 0), 0);
 }
 
 }  // namespace
