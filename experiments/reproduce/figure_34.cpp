@@ -23,12 +23,11 @@ ReproductionResult reproduce_light_shafts(Laboratory& laboratory) {
       "the rest of the view. {}",
       name_of(study.place.view.position), study.place.searched, study.pictures.box[0].psnr_db,
       study.pictures.whole[0].psnr_db, study.error_concentration, fading_text(*study.epi));
-  result.differs =
-      fades(*study.epi)
-          ? "They agree: the error, which copies of the shafts cause where every key view sees the "
-            "wall, is large between key views and falls to their noise at them."
-          : "They differ: the error changes little between key views and the positions between "
-            "them, so that copies fading in and out are not what dominates it in this run.";
+  result.differs = fades(*study.epi)
+                       ? "They agree: where every key view sees the wall, the error is larger between key "
+                         "views than at them, as copies of the shafts make it."
+                       : "They differ: the error changes little between key views and the positions between "
+                         "them, so that copies fading in and out are not what dominates it in this run.";
   return result;
 }
 

@@ -27,9 +27,8 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory) {
       percent(study.pictures.box[0].visible_share), kVisibleDifference, fading_text(*study.epi));
   result.differs =
       fades(*study.epi)
-          ? "They agree: where every key view sees the surface, the error is large between key views and "
-            "falls "
-            "to their noise at them, as it does if reflections are blended that each key view saw elsewhere."
+          ? "They agree in kind: where every key view sees the surface, the error is larger between key "
+            "views than at them, as copies of reflections make it. The numbers above say how much larger."
           : "They differ: the error changes little between key views and the positions between them, so that "
             "copies of reflections are not what dominates it in this run.";
   return result;
