@@ -11,8 +11,8 @@
 namespace plenolab {
 
 /// What figures 34 to 37 share: one position shown true and synthesised, enlarged where the error of
-/// pixels that every key view sees is largest (at borders: where the effect shows most), with visibility, difference and, if wanted,
-/// epipolar images through the enlarged part.
+/// pixels that every key view sees is largest (at borders: where the effect shows most), with visibility,
+/// difference and, if wanted, epipolar images through the enlarged part.
 struct AppearanceOptions {
   std::string scene;
   std::span<const CameraPosition> offsets;  ///< positions searched, in each cell
