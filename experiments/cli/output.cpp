@@ -77,7 +77,9 @@ void emit_results(const ResultTable& results, Provenance& provenance, const Comm
 }
 
 void tell(const CommonOptions& options, const std::string& line) {
-  if (!output_is_for_programs(options)) fmt::print("{}\n", line);
+  if (output_is_for_programs(options)) return;
+  fmt::print("{}\n", line);
+  std::fflush(stdout);  // seen at once also where output is a file or pipe
 }
 
 void write_run_json_beside(const std::filesystem::path& file, Provenance& provenance) {
