@@ -44,11 +44,12 @@ enum class SelfCheckVerdict {
 struct SelfCheckResult {
   SelfCheckVerdict verdict = SelfCheckVerdict::kUndecidable;
   std::vector<HypothesisError> errors;  ///< one for each hypothesis tried, in the order of the enumeration
-  double best_scale = 1;    ///< factor on disparity with the least error, of a search over [0.4, 2.5]
-  double best_scale_x = 1;  ///< the same between columns alone, 1 without such pairs
-  double best_scale_y =
-      1;          ///< the same between rows alone: differs from the other if the spacings' ratio is wrong
-  int pairs = 0;  ///< neighbouring view pairs compared
+  /// Factor on disparity with the least error, of a search over [0.4, 2.5].
+  double best_scale = 1;
+  /// The same between columns alone and between rows alone, 1 without such pairs: they differ if the ratio of
+  /// the spacings is wrong.
+  double best_scale_x = 1, best_scale_y = 1;
+  int pairs = 0;            ///< neighbouring view pairs compared
   std::string explanation;  ///< one sentence for people
   double error(DisparityHypothesis hypothesis) const;
 };
