@@ -19,6 +19,7 @@
 #include "core/io/bytes.h"
 #include "core/io/exr.h"
 #include "core/io/exr_threads.h"
+#include "core/io/find_value.h"
 
 namespace plenolab {
 
@@ -47,16 +48,12 @@ namespace {
 constexpr float kLargestHalf = 65504.0f;
 
 void check_fits_half(const Plane<Rgb>& image, const std::string& path) {
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const Rgb c = image.at(x, y);
-      for (const float v : {c.r, c.g, c.b})
-        if (std::isfinite(v) && std::abs(v) > kLargestHalf)
-          throw InputError(
-              fmt::format("cannot write {}: the value {} at pixel ({}, {}) is beyond half precision "
-                          "(±65504): write 32-bit float",
-                          path, v, x, y));
-    }
+  const auto beyond = [](float v) { return std::isfinite(v) && std::abs(v) > kLargestHalf; };
+  if (const auto bad = find_value(image, beyond))
+    throw InputError(fmt::format(
+        "cannot write {}: the value {} at pixel ({}, {}) is beyond half precision (±65504): write "
+        "32-bit float",
+        path, bad->value, bad->x, bad->y));
 }
 
 Imf::Compression compression_of(ExrCompression compression) {

@@ -9,6 +9,7 @@
 #include "core/base/file.h"
 #include "core/io/bytes.h"
 #include "core/io/exr.h"
+#include "core/io/find_value.h"
 #include "core/io/pfm.h"
 #include "core/io/radiance_hdr.h"
 
@@ -75,14 +76,9 @@ void copy_codes(const cv::Mat& codes, DisplayImage& image, float white) {
 
 void check_in_range(const DisplayImage& image, const std::string& name) {
   if (image.empty()) throw InputError(fmt::format("cannot write {}: the image has no pixels", name));
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const Rgb c = image.at(x, y);
-      for (const float v : {c.r, c.g, c.b})
-        if (!(v >= 0 && v <= 1))
-          throw InputError(fmt::format(
-              "cannot write {}: the display value {} at pixel ({}, {}) is outside [0, 1]", name, v, x, y));
-    }
+  if (const auto bad = find_value(image, [](float v) { return !(v >= 0 && v <= 1); }))
+    throw InputError(fmt::format("cannot write {}: the display value {} at pixel ({}, {}) is outside [0, 1]",
+                                 name, bad->value, bad->x, bad->y));
 }
 
 template <class Code>

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/io/bytes.h"
+#include "core/io/find_value.h"
 
 namespace plenolab {
 
@@ -259,16 +260,11 @@ void append_line(std::vector<std::byte>& out, const std::vector<Rgbe>& line) {
 
 void check_encodable(const SceneImage& image, const std::string& path) {
   if (image.empty()) throw InputError(fmt::format("cannot write {}: the image has no pixels", path));
-  for (int y = 0; y < image.height(); ++y)
-    for (int x = 0; x < image.width(); ++x) {
-      const Rgb c = image.at(x, y);
-      for (const float v : {c.r, c.g, c.b})
-        if (!(v >= 0 && v <= kLargestRgbe))
-          throw InputError(fmt::format(
-              "cannot write {}: RGBE cannot hold the value {} at pixel ({}, {}): repair the image "
-              "or write .exr",
-              path, v, x, y));
-    }
+  if (const auto bad = find_value(image, [](float v) { return !(v >= 0 && v <= kLargestRgbe); }))
+    throw InputError(
+        fmt::format("cannot write {}: RGBE cannot hold the value {} at pixel ({}, {}): repair "
+                    "the image or write .exr",
+                    path, bad->value, bad->x, bad->y));
 }
 
 }  // namespace
