@@ -19,6 +19,7 @@
 #include "core/base/random.h"
 #include "core/io/bytes.h"
 #include "core/io/exr.h"
+#include "tests/support/message_of.h"
 
 namespace plenolab {
 namespace {
@@ -31,15 +32,6 @@ SceneImage random_image(int width, int height) {
   for (Rgb& c : image.pixels())
     c = {random.next_float(), 100 * random.next_float(), 1e4f * random.next_float()};
   return image;
-}
-
-std::string message_of(const std::function<void()>& action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 // A file with one float channel "Z" that holds its column number, in an arbitrary data window.

@@ -13,6 +13,7 @@
 #include "core/io/image_file.h"
 #include "core/io/pfm.h"
 #include "core/io/radiance_hdr.h"
+#include "tests/support/message_of.h"
 
 namespace plenolab {
 namespace {
@@ -37,16 +38,6 @@ SceneImage random_image(int width, int height, float scale = 1) {
   for (Rgb& c : image.pixels())
     c = {scale * random.next_float(), scale * random.next_float(), scale * random.next_float()};
   return image;
-}
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
 }
 
 TEST(Pfm, RowsRunBottomUpInBothByteOrders) {

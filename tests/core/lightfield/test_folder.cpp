@@ -11,20 +11,11 @@
 #include "core/lightfield/description.h"
 #include "core/lightfield/light_field_folder.h"
 #include "tests/core/lightfield/synthetic.h"
+#include "tests/support/message_of.h"
 
 namespace plenolab {
 namespace {
 namespace fs = std::filesystem;
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 const std::string kGood =
     R"({"format": "plenolab-lightfield", "version": 1, "grid": {"columns": 3, "rows": 2},

@@ -13,20 +13,11 @@
 #include "core/lightfield/hci_truth.h"
 #include "core/lightfield/self_check.h"
 #include "tests/core/lightfield/synthetic.h"
+#include "tests/support/message_of.h"
 
 namespace plenolab {
 namespace {
 namespace fs = std::filesystem;
-
-template <class Action>
-std::string message_of(Action action) {
-  try {
-    action();
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 // The two planes as the benchmark stores them: images offset so that disparity `focus_px` becomes 0.
 struct HciScene {
