@@ -1,4 +1,4 @@
-// Vector code of decode_gamma, compiled once per instruction set (Highway).
+// Decoding of the blended value, v^2.2, to one in a million; compiled once per instruction set (Highway).
 
 #if defined(PLENOLAB_GAMMA_DECODE_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef PLENOLAB_GAMMA_DECODE_INL_H

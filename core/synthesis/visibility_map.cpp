@@ -8,7 +8,7 @@
 namespace plenolab {
 namespace {
 
-constexpr float kDarkest = 0.25f;
+constexpr float kDarkest = 0.6f;  ///< hues stay apart on black, and the scene still shows through
 
 /// Red for 0, green for 1, over yellow.
 Rgb hue_of(float share) {
