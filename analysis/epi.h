@@ -23,28 +23,6 @@ DisplayImage epi(std::span<const DisplayImage> frames, EpiDirection direction, i
 /// Enlarges an EPI's frame axis by repeating each frame `factor` ≥ 1 times, for looking at it.
 DisplayImage stretch_epi(const DisplayImage& image, EpiDirection direction, int factor);
 
-/// Slope of the lines of an EPI at each pixel.
-struct EpiSlopes {
-  Plane<float> pixels_per_frame;
-  /// Coherence of the structure tensor ((λ1 − λ2)/(λ1 + λ2))², 0 (no or mixed directions) … 1 (straight
-  /// lines).
-  Plane<float> coherence;
-};
-
-/// Options of the slope estimate.
-struct EpiSlopeOptions {
-  double inner_sigma_px = 0.8;  ///< Gaussian of the derivatives, > 0
-  double outer_sigma_px = 2.0;  ///< Gaussian of the tensor's average, > 0
-
-  /// Throws InputError naming the value out of range.
-  void validate() const;
-};
-
-/// Slopes by the structure tensor (Bigün & Granlund 1987; for light fields Wanner & Goldlücke 2012) of the
-/// mean of encoded channels. Slopes beyond about ±2 pixels per frame alias: use smaller camera steps. Without
-/// contrast both are 0.
-EpiSlopes epi_slopes(const DisplayImage& image, EpiDirection direction, const EpiSlopeOptions& options = {});
-
 /// Slope a point of `disparity_px` must have: −disparity·step (times vertical_ratio = b_v/b_h for columns).
 double expected_epi_slope(double disparity_px, double step_in_spacings, double vertical_ratio = 1);
 

@@ -68,20 +68,6 @@ void run_gnuplot(const std::string& script, const std::filesystem::path& folder)
   }
 }
 
-std::string draw(const std::string& data, const std::string& commands, const std::string& file) {
-  const TemporaryFolder folder;
-  run_gnuplot(data + commands, folder.path());
-  return read_text_file(folder.path() / file);
-}
-
-template <class Figure>
-std::string svg_of(const Figure& figure, PlotTheme theme) {
-  figure.validate();
-  const PlotOutput output = theme == PlotTheme::kLight ? PlotOutput::kSvgLight : PlotOutput::kSvgDark;
-  return draw(detail::plot_data_blocks(figure), detail::plot_commands(figure, output, "figure.svg"),
-              "figure.svg");
-}
-
 std::string csv_of(const Plot& plot) {
   std::string text = plot.categories.empty() ? "series,x,y,y_low,y_high,label,marked\r\n"
                                              : "series,category,y,y_low,y_high,label,marked\r\n";
@@ -95,37 +81,6 @@ std::string csv_of(const Plot& plot) {
     }
   }
   return text;
-}
-
-std::string csv_of(const HeatMap& map) {
-  std::string text = "x,y,value\r\n";
-  for (std::size_t i = 0; i < map.values.size(); ++i) {
-    text +=
-        fmt::format("{},{},{}\r\n", shortest_number(map.x_values[i % map.x_values.size()]),
-                    shortest_number(map.y_values[i / map.x_values.size()]), shortest_number(map.values[i]));
-  }
-  return text;
-}
-
-template <class Figure>
-PlotFiles write_figure(const Figure& figure, const std::filesystem::path& stem) {
-  figure.validate();
-  const auto file = [&](const char* suffix) { return std::filesystem::path(stem.string() + suffix); };
-  const PlotFiles files{file(".gp"), file(".csv"), file(".svg"), file("-dark.svg"), file(".pdf")};
-  const std::string script =
-      "# Redraws the figures beside it: gnuplot -d " + files.script.filename().string() + "\n" +
-      detail::plot_data_blocks(figure) +
-      detail::plot_commands(figure, PlotOutput::kSvgLight, files.svg.filename().string()) +
-      detail::plot_commands(figure, PlotOutput::kSvgDark, files.svg_dark.filename().string()) +
-      detail::plot_commands(figure, PlotOutput::kPdf, files.pdf.filename().string());
-  const TemporaryFolder folder;
-  run_gnuplot(script, folder.path());
-  write_text_file(files.script, script);
-  write_text_file(files.data, csv_of(figure));
-  for (const auto& drawn : {files.svg, files.svg_dark, files.pdf}) {
-    write_text_file(drawn, read_text_file(folder.path() / drawn.filename()));
-  }
-  return files;
 }
 
 }  // namespace
@@ -145,34 +100,33 @@ void Plot::validate() const {
   }
 }
 
-void HeatMap::validate() const {
-  check_size(width_px, height_px);
-  if (x.logarithmic || y.logarithmic) throw InputError("heat maps have linear axes only");
-  if (x_values.empty() || y_values.empty() || values.size() != x_values.size() * y_values.size()) {
-    throw InputError(fmt::format("a heat map of {}×{} cells needs as many values, not {}", x_values.size(),
-                                 y_values.size(), values.size()));
-  }
-  for (const auto* centres : {&x_values, &y_values}) {
-    for (std::size_t i = 0; i < centres->size(); ++i) {
-      check_number((*centres)[i], centres == &x_values ? x : y, "cell centres");
-      if (i > 0 && !((*centres)[i - 1] < (*centres)[i]))
-        throw InputError("cell centres of a heat map must ascend");
-    }
-  }
-  for (const double v : values) check_number(v, {value_title, "", false, {}, {}}, "cells");
+std::string plot_svg(const Plot& plot, PlotTheme theme) {
+  plot.validate();
+  const PlotOutput output = theme == PlotTheme::kLight ? PlotOutput::kSvgLight : PlotOutput::kSvgDark;
+  const TemporaryFolder folder;
+  run_gnuplot(detail::plot_data_blocks(plot) + detail::plot_commands(plot, output, "figure.svg"),
+              folder.path());
+  return read_text_file(folder.path() / "figure.svg");
 }
 
-std::string plot_svg(const Plot& plot, PlotTheme theme) {
-  return svg_of(plot, theme);
-}
-std::string plot_svg(const HeatMap& map, PlotTheme theme) {
-  return svg_of(map, theme);
-}
 PlotFiles write_plot(const Plot& plot, const std::filesystem::path& stem) {
-  return write_figure(plot, stem);
-}
-PlotFiles write_plot(const HeatMap& map, const std::filesystem::path& stem) {
-  return write_figure(map, stem);
+  plot.validate();
+  const auto file = [&](const char* suffix) { return std::filesystem::path(stem.string() + suffix); };
+  const PlotFiles files{file(".gp"), file(".csv"), file(".svg"), file("-dark.svg"), file(".pdf")};
+  const std::string script =
+      "# Redraws the figures beside it: gnuplot -d " + files.script.filename().string() + "\n" +
+      detail::plot_data_blocks(plot) +
+      detail::plot_commands(plot, PlotOutput::kSvgLight, files.svg.filename().string()) +
+      detail::plot_commands(plot, PlotOutput::kSvgDark, files.svg_dark.filename().string()) +
+      detail::plot_commands(plot, PlotOutput::kPdf, files.pdf.filename().string());
+  const TemporaryFolder folder;
+  run_gnuplot(script, folder.path());
+  write_text_file(files.script, script);
+  write_text_file(files.data, csv_of(plot));
+  for (const auto& drawn : {files.svg, files.svg_dark, files.pdf}) {
+    write_text_file(drawn, read_text_file(folder.path() / drawn.filename()));
+  }
+  return files;
 }
 
 }  // namespace plenolab

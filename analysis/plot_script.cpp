@@ -156,15 +156,6 @@ std::string series_commands(const Plot& plot, std::size_t index, PlotOutput outp
   return text.empty() ? body : text + ", \\\n  " + body;
 }
 
-/// Borders of cells: half way between centres, the outer ones as far out as the inner ones are in.
-std::vector<double> cell_edges(const std::vector<double>& centres) {
-  if (centres.size() == 1) return {centres[0] - 0.5, centres[0] + 0.5};
-  std::vector<double> edges{centres[0] - 0.5 * (centres[1] - centres[0])};
-  for (std::size_t i = 0; i + 1 < centres.size(); ++i) edges.push_back(0.5 * (centres[i] + centres[i + 1]));
-  edges.push_back(centres.back() + 0.5 * (centres.back() - centres[centres.size() - 2]));
-  return edges;
-}
-
 }  // namespace
 
 std::string gnuplot_quoted(const std::string& text) {
@@ -209,39 +200,6 @@ std::string plot_commands(const Plot& plot, PlotOutput output, const std::string
         ink.text, plot.marked_title.empty() ? "notitle" : "title " + gnuplot_quoted(plot.marked_title));
   }
   return text + "\nset output\n";
-}
-
-std::string plot_data_blocks(const HeatMap& map) {
-  const std::vector<double> x = cell_edges(map.x_values), y = cell_edges(map.y_values);
-  std::string lines;
-  for (std::size_t j = 0; j < map.y_values.size(); ++j) {
-    for (std::size_t i = 0; i < map.x_values.size(); ++i) {
-      lines += fmt::format("{} {} {} {} {} {} {}\n", map.x_values[i], map.y_values[j], x[i], x[i + 1], y[j],
-                           y[j + 1], shortest_number(map.values[j * map.x_values.size() + i]));
-    }
-  }
-  return block("cells", lines);
-}
-
-std::string plot_commands(const HeatMap& map, PlotOutput output, const std::string& file) {
-  const PlotInk ink = plot_ink(output);
-  const std::vector<double> x = cell_edges(map.x_values), y = cell_edges(map.y_values);
-  std::string text = terminal_commands(output, file, map.width_px, map.height_px);
-  if (!map.title.empty()) text += fmt::format("set title {} noenhanced\n", gnuplot_quoted(map.title));
-  PlotAxis x_axis = map.x, y_axis = map.y;
-  x_axis.minimum = x.front(), x_axis.maximum = x.back(), y_axis.minimum = y.front(),
-  y_axis.maximum = y.back();
-  text += axis_commands("x", x_axis, x.front(), x.back()) + axis_commands("y", y_axis, y.front(), y.back());
-  // Ten steps of "viridis" (van der Walt & Smith 2015).
-  text +=
-      "set palette defined (0 '#440154', 1 '#482878', 2 '#3e4989', 3 '#31688e', 4 '#26828e', 5 '#1f9e89', 6 "
-      "'#35b779', "
-      "7 '#6ece58', 8 '#b5de2b', 9 '#fde725')\nunset key\nunset grid\n";
-  text += fmt::format("set cblabel {} noenhanced textcolor rgb '{}'\n", gnuplot_quoted(map.value_title),
-                      ink.text);
-  text += "set colorbox noborder\n";
-  return text +
-         "plot $cells using 1:2:3:4:5:6:7 with boxxyerror fillstyle solid linecolor palette\nset output\n";
 }
 
 }  // namespace plenolab::detail

@@ -10,9 +10,11 @@
 namespace plenolab::detail {
 namespace {
 
-/// Okabe & Ito 2008 without black and yellow, which need one kind of page; lightened for dark pages.
+/// The first three on light pages are blue, vermillion and bluish green of Okabe & Ito (2008), a set made for
+/// all kinds of colour vision. Their other colours are too pale for a white page or too dark for a dark one:
+/// the others here are darker or lighter neighbours of them and not part of that set.
 constexpr std::array<const char*, 8> kLightPage{"#0072b2", "#d55e00", "#009e73", "#aa4499",
-                                                "#b8860b", "#3f9fd8", "#7a5195", "#6b7280"};
+                                                "#b8860b", "#2f96d2", "#7a5195", "#6b7280"};
 constexpr std::array<const char*, 8> kDarkPage{"#56a8e8", "#f0803c", "#2fc49a", "#e08fc6",
                                                "#e6b34a", "#9bd3f5", "#b89be0", "#a3acb8"};
 constexpr std::array<int, 8> kPointTypes{7, 5, 9, 11, 13, 15, 6, 4};

@@ -10,7 +10,7 @@
 #include <thread>
 
 #include "analysis/library_versions.h"
-#include "analysis/timing.h"
+#include "analysis/memory.h"
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"

@@ -42,14 +42,6 @@ double mean(std::span<const double> values) {
   return sum / static_cast<double>(values.size());
 }
 
-double standard_deviation(std::span<const double> values) {
-  const double centre = mean(values);
-  if (values.size() == 1) return 0;
-  double sum = 0;
-  for (const double v : values) sum += (v - centre) * (v - centre);
-  return std::sqrt(sum / static_cast<double>(values.size() - 1));
-}
-
 double quantile(std::span<const double> values, double p) {
   check_values(values);
   if (!(p >= 0 && p <= 1)) throw InputError(fmt::format("quantile {} does not lie in [0, 1]", p));
@@ -88,19 +80,6 @@ Interval bootstrap_interval(std::span<const double> values,
   const std::span<const double> sorted = estimates;
   const double tail = (1 - options.confidence) / 2;
   return {statistic(values), quantile_of_sorted(sorted, tail), quantile_of_sorted(sorted, 1 - tail)};
-}
-
-Interval paired_mean_difference(std::span<const double> a, std::span<const double> b,
-                                const BootstrapOptions& options) {
-  if (a.size() != b.size()) {
-    throw InputError(fmt::format("a paired comparison needs as many values on both sides, not {} and {}",
-                                 a.size(), b.size()));
-  }
-  std::vector<double> differences(a.size());
-  std::transform(a.begin(), a.end(), b.begin(), differences.begin(),
-                 [](double p, double q) { return p - q; });
-  return bootstrap_interval(
-      differences, [](std::span<const double> v) { return mean(v); }, options);
 }
 
 }  // namespace plenolab

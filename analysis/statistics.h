@@ -13,8 +13,6 @@ struct Interval {
 };
 
 double mean(std::span<const double> values);
-/// Unbiased (n − 1) standard deviation; 0 for one value.
-double standard_deviation(std::span<const double> values);
 /// Quantile p in [0, 1], linear between order statistics (type 7 of Hyndman & Fan 1996, R's default).
 double quantile(std::span<const double> values, double p);
 double median(std::span<const double> values);
@@ -40,9 +38,5 @@ struct BootstrapOptions {
 Interval bootstrap_interval(std::span<const double> values,
                             const std::function<double(std::span<const double>)>& statistic,
                             const BootstrapOptions& options = {});
-
-/// Bootstrap interval of the mean of a_i − b_i. Throws InputError if the numbers of values differ.
-Interval paired_mean_difference(std::span<const double> a, std::span<const double> b,
-                                const BootstrapOptions& options = {});
 
 }  // namespace plenolab

@@ -2,29 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <fstream>
-#include <sstream>
-
 #include "analysis/statistics.h"
 #include "core/base/error.h"
 
 namespace plenolab {
-namespace {
-
-/// A "Key:  123 kB" line of /proc/self/status in MiB.
-std::optional<double> status_mib(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.compare(0, key.size(), key) != 0) continue;
-    std::istringstream fields(line.substr(key.size() + 1));
-    double kib = 0;
-    if (fields >> kib) return kib / 1024;
-  }
-  return std::nullopt;
-}
-
-}  // namespace
 
 TimingSummary summarise_times(std::vector<double> seconds) {
   PLENOLAB_CHECK(!seconds.empty(), "no run to summarise");
@@ -47,18 +28,13 @@ void TimingOptions::validate() const {
 TimingSummary time_repeated(const std::function<void()>& work, const TimingOptions& options) {
   options.validate();
   for (int i = 0; i < options.warm_up_runs; ++i) work();
-  const bool peak_known = reset_peak_resident();
-  const std::optional<double> before = resident_mib();
   std::vector<double> seconds;
   for (int i = 0; i < options.runs; ++i) {
     const Stopwatch watch;
     work();
     seconds.push_back(watch.seconds());
   }
-  TimingSummary summary = summarise_times(std::move(seconds));
-  const std::optional<double> peak = peak_resident_mib();
-  if (peak_known && before && peak) summary.peak_memory_mib = std::max(0.0, *peak - *before);
-  return summary;
+  return summarise_times(std::move(seconds));
 }
 
 void add_timing_rows(ResultTable& table, const TimingSummary& timing,
@@ -72,21 +48,6 @@ void add_timing_rows(ResultTable& table, const TimingSummary& timing,
   add("seconds_min", timing.min_s, "s");
   add("seconds_max", timing.max_s, "s");
   add("runs", timing.runs, "1");
-  if (timing.peak_memory_mib) add("peak_memory_mib", *timing.peak_memory_mib, "MiB");
-}
-
-std::optional<double> peak_resident_mib() {
-  return status_mib("VmHWM");
-}
-std::optional<double> resident_mib() {
-  return status_mib("VmRSS");
-}
-
-bool reset_peak_resident() {
-  // "5" resets the peak resident set (proc(5), /proc/pid/clear_refs).
-  std::ofstream file("/proc/self/clear_refs");
-  file << "5" << std::flush;
-  return file.good();
 }
 
 }  // namespace plenolab

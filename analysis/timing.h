@@ -2,7 +2,6 @@
 
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,9 +26,6 @@ class Stopwatch {
 struct TimingSummary {
   int runs = 0;
   double median_s = 0, lower_quartile_s = 0, upper_quartile_s = 0, min_s = 0, max_s = 0;
-  /// Peak resident memory while they ran, above what was resident before; absent where the system cannot
-  /// tell.
-  std::optional<double> peak_memory_mib;
 };
 
 /// Summary of given run times (at least one).
@@ -47,16 +43,9 @@ struct TimingOptions {
 /// Runs `work` warm_up_runs + runs times and summarises the timed ones.
 TimingSummary time_repeated(const std::function<void()>& work, const TimingOptions& options = {});
 
-/// Rows seconds_median, seconds_lower_quartile, seconds_upper_quartile, seconds_min, seconds_max (unit s),
-/// runs and, where known, peak_memory_mib, all with the same identifying columns.
+/// Rows seconds_median, seconds_lower_quartile, seconds_upper_quartile, seconds_min, seconds_max (unit s) and
+/// runs, all with the same identifying columns.
 void add_timing_rows(ResultTable& table, const TimingSummary& timing,
                      const std::vector<std::pair<std::string, Cell>>& columns);
-
-/// Largest resident set of the process since its start or the last reset (VmHWM); absent if unknown.
-std::optional<double> peak_resident_mib();
-/// Resident set now (VmRSS); absent if unknown.
-std::optional<double> resident_mib();
-/// Resets the peak to the present resident set; false where the system does not allow it.
-bool reset_peak_resident();
 
 }  // namespace plenolab

@@ -147,12 +147,10 @@ std::string block_html(const ReportTable& table) {
 }
 
 std::string block_html(const ReportPlot& plot) {
-  const auto svg = [&](PlotTheme theme) {
-    return std::visit([&](const auto& figure) { return plot_svg(figure, theme); }, plot.plot);
-  };
-  return "<figure><div class=\"plot\">" + themed_image(svg(PlotTheme::kLight), "on-light", plot.alt) +
-         themed_image(svg(PlotTheme::kDark), "on-dark", plot.alt) + "</div>" + caption_html(plot.caption) +
-         "</figure>\n";
+  return "<figure><div class=\"plot\">" +
+         themed_image(plot_svg(plot.plot, PlotTheme::kLight), "on-light", plot.alt) +
+         themed_image(plot_svg(plot.plot, PlotTheme::kDark), "on-dark", plot.alt) + "</div>" +
+         caption_html(plot.caption) + "</figure>\n";
 }
 
 std::string block_html(const ImageComparison& comparison) {

@@ -96,27 +96,6 @@ std::string masthead_html(const Report& report) {
 
 }  // namespace
 
-ReportTable table_from_results(const ResultTable& results, std::string caption) {
-  ReportTable table;
-  table.caption = std::move(caption);
-  table.headings = results.column_names();
-  const std::size_t columns = table.headings.size();
-  table.headings.insert(table.headings.end(), {"quantity", "value", "unit"});
-  for (const ResultRow& row : results.rows()) {
-    std::vector<Cell> cells(columns, std::string());
-    for (const auto& [name, cell] : row.columns) {
-      for (std::size_t i = 0; i < columns; ++i) {
-        if (table.headings[i] == name) cells[i] = cell;
-      }
-    }
-    cells.emplace_back(row.quantity);
-    cells.emplace_back(row.value);
-    cells.emplace_back(row.unit == "1" ? std::string() : row.unit);
-    table.rows.push_back(std::move(cells));
-  }
-  return table;
-}
-
 std::string report_html(const Report& report) {
   std::vector<std::string> titles;
   std::string sections;

@@ -41,7 +41,7 @@ struct ReportTable {
 
 /// A figure; `alt` says in words what it shows, for readers who cannot see it.
 struct ReportPlot {
-  std::variant<Plot, HeatMap> plot;
+  Plot plot;
   std::string caption, alt;
 };
 
@@ -78,9 +78,6 @@ struct Report {
   std::vector<ReportSection> sections;
   std::optional<Provenance> provenance;  ///< becomes the last section, "Provenance"
 };
-
-/// The rows of a result table as a table of a report: identifying columns, quantity, value, unit.
-ReportTable table_from_results(const ResultTable& results, std::string caption);
 
 /// The page. Throws InputError naming the section and block for a table with ragged rows, a comparison
 /// without images or with different sizes, or an image with non-finite values.

@@ -41,7 +41,6 @@ struct ReproductionResult {
   void add_comparison(const std::string& name, ImageComparison comparison,
                       std::vector<SceneImage> radiance = {});
   void add_table(ReportTable table) { blocks.emplace_back(std::move(table)); }
-  void add_text(std::string text) { blocks.emplace_back(Paragraph{std::move(text)}); }
 };
 
 /// Which chapter of the report an item belongs to.

@@ -93,8 +93,7 @@ void file_reproduction(const FinishedReproduction& finished, const fs::path& fol
   const ReproductionResult& result = finished.result;
   write_text_file(own / "text.md", fmt::format("# {}\n\n{}\n", finished.item->title, paragraph_of(result)));
   if (!result.rows.empty()) write_text_file(own / "rows.csv", to_csv(result.rows));
-  for (const NamedPlot& plot : result.plots)
-    std::visit([&](const auto& p) { write_plot(p, own / plot.name); }, plot.plot.plot);
+  for (const NamedPlot& plot : result.plots) write_plot(plot.plot.plot, own / plot.name);
   for (const NamedImage& image : result.images) {
     write_display_image(own / (image.name + ".png"), image.display);
     if (!image.radiance.empty())

@@ -9,23 +9,6 @@
 namespace plenolab {
 namespace {
 
-/// Frames of a texture that moves by `slope` pixels per frame along x (or y).
-std::vector<DisplayImage> moving_frames(int size, int count, double slope, EpiDirection direction) {
-  std::vector<DisplayImage> frames;
-  for (int f = 0; f < count; ++f) {
-    DisplayImage frame(size, size);
-    for (int y = 0; y < size; ++y) {
-      for (int x = 0; x < size; ++x) {
-        const double p = (direction == EpiDirection::kRow ? x : y) - slope * f;
-        const float v = static_cast<float>(0.5 + 0.2 * std::sin(0.35 * p) + 0.2 * std::sin(0.81 * p + 1));
-        frame.at(x, y) = {v, v, v};
-      }
-    }
-    frames.push_back(std::move(frame));
-  }
-  return frames;
-}
-
 TEST(Epi, StacksTheSameLineOfEveryFrame) {
   std::vector<SceneImage> frames(3, SceneImage(4, 5));
   for (int f = 0; f < 3; ++f) {
@@ -56,31 +39,18 @@ TEST(Epi, RefusesNoFramesDifferentSizesAndLinesOutside) {
   EXPECT_THROW(epi(std::span<const DisplayImage>(one), EpiDirection::kColumn, -1), InputError);
 }
 
-TEST(EpiSlopes, FindTheExpectedMotionInBothDirections) {
-  for (const EpiDirection direction : {EpiDirection::kRow, EpiDirection::kColumn}) {
-    for (const double disparity : {0.0, 3.0, 7.5}) {
-      const double expected = expected_epi_slope(disparity, 0.1);
-      const std::vector<DisplayImage> frames = moving_frames(64, 40, expected, direction);
-      const DisplayImage image = epi(std::span<const DisplayImage>(frames), direction, 10);
-      const EpiSlopes slopes = epi_slopes(image, direction);
-      const int x = direction == EpiDirection::kRow ? 30 : 20, y = direction == EpiDirection::kRow ? 20 : 30;
-      EXPECT_NEAR(slopes.pixels_per_frame.at(x, y), expected, 0.02) << disparity;
-      EXPECT_GT(slopes.coherence.at(x, y), 0.95f) << disparity;
-    }
-  }
-}
-
-TEST(EpiSlopes, AreZeroWithoutContrast) {
-  const EpiSlopes slopes = epi_slopes(DisplayImage(20, 9, {0.4f, 0.4f, 0.4f}), EpiDirection::kRow);
-  for (const float s : slopes.pixels_per_frame.pixels()) EXPECT_EQ(s, 0);
-  for (const float c : slopes.coherence.pixels()) EXPECT_EQ(c, 0);
-  EXPECT_EQ(epi_slopes(DisplayImage(1, 1), EpiDirection::kColumn).coherence.size(), 1u);
-}
-
-TEST(EpiSlopes, RefuseWidthsThatAreNotPositive) {
-  EpiSlopeOptions options;
-  options.outer_sigma_px = 0;
-  EXPECT_THROW(epi_slopes(DisplayImage(4, 4), EpiDirection::kRow, options), InputError);
+TEST(ExpectedEpiSlope, FollowsAPointThroughTheFrames) {
+  // Correspondences of views at s and s + 0.1 (the right one later): q = p + (F_p - F_q)·disp.
+  constexpr double kDisparity = 30, kStep = 0.1;
+  std::vector<DisplayImage> frames(5, DisplayImage(24, 1));
+  for (int f = 0; f < 5; ++f)
+    frames[static_cast<std::size_t>(f)].at(20 + static_cast<int>(std::lround(-kStep * f * kDisparity)), 0) = {
+        1, 1, 1};
+  const DisplayImage image = epi(std::span<const DisplayImage>(frames), EpiDirection::kRow, 0);
+  const EpiLine line{20.5, 0, expected_epi_slope(kDisparity, kStep), {1, 0, 0}};
+  const DisplayImage drawn = draw_epi_lines(image, EpiDirection::kRow, std::span(&line, 1));
+  for (const Rgb& c : drawn.pixels()) EXPECT_NE(c, (Rgb{1, 1, 1})) << "a point is left beside the line";
+  EXPECT_DOUBLE_EQ(expected_epi_slope(kDisparity, kStep, 2), -6);
 }
 
 TEST(EpiLines, PassThroughTheirPointWithTheirSlope) {

@@ -2,10 +2,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
+#include <regex>
+#include <set>
 
 #include "analysis/plot_script.h"
+#include "analysis/plot_style.h"
 #include "analysis/subprocess.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -36,6 +42,44 @@ TEST(Plot, DrawsTheSameSvgEveryTime) {
 
 TEST(Plot, HasItsOwnInkForDarkPages) {
   EXPECT_NE(plot_svg(sweep(), PlotTheme::kLight), plot_svg(sweep(), PlotTheme::kDark));
+}
+
+/// Relative luminance of "#rrggbb" (WCAG 2.1).
+double luminance_of(const std::string& colour) {
+  const auto linear = [&](std::size_t at) {
+    const double v = std::stoi(colour.substr(at, 2), nullptr, 16) / 255.0;
+    return v <= 0.03928 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+  };
+  return 0.2126 * linear(1) + 0.7152 * linear(3) + 0.0722 * linear(5);
+}
+
+double contrast(const std::string& a, const std::string& b) {
+  const double x = luminance_of(a), y = luminance_of(b);
+  return (std::max(x, y) + 0.05) / (std::min(x, y) + 0.05);
+}
+
+TEST(PlotStyle, ColoursStandOutFromThePagesOfReports) {
+  const std::string css =
+      read_text_file(std::filesystem::path(PLENOLAB_SOURCE_DIR) / "analysis/report/report.css");
+  const std::regex page("--(page|raised): (#[0-9a-f]{6})");
+  int pages = 0;
+  for (std::sregex_iterator it(css.begin(), css.end(), page), end; it != end; ++it, ++pages) {
+    const std::string colour = (*it)[2];
+    const auto output =
+        luminance_of(colour) > 0.5 ? detail::PlotOutput::kSvgLight : detail::PlotOutput::kSvgDark;
+    for (std::size_t i = 0; i < 8; ++i)
+      EXPECT_GE(contrast(detail::series_style(i, output).colour, colour), 3) << i << " on " << colour;
+  }
+  EXPECT_GE(pages, 4);
+}
+
+TEST(PlotStyle, SeriesDifferByMoreThanColour) {
+  std::set<std::pair<int, int>> marks;
+  for (std::size_t i = 0; i < 8; ++i) {
+    const auto style = detail::series_style(i, detail::PlotOutput::kSvgLight);
+    marks.insert({style.point_type, style.dash_type});
+  }
+  EXPECT_EQ(marks.size(), 8u);
 }
 
 TEST(Plot, WritesScriptDataSvgAndPdf) {
@@ -76,18 +120,6 @@ TEST(Plot, DrawsBarsWithCategoriesAndErrorBars) {
   EXPECT_NE(plot_svg(plot).find("cellar"), std::string::npos);
   plot.series[1].points.pop_back();
   EXPECT_THROW(plot_svg(plot), InputError);
-}
-
-TEST(Plot, DrawsHeatMaps) {
-  HeatMap map;
-  map.x_values = {0, 1, 2};
-  map.y_values = {0, 10};
-  map.values = {1, 2, 3, 4, 5, 6};
-  map.value_title = "Error [dB]";
-  EXPECT_EQ(plot_svg(map), plot_svg(map));
-  EXPECT_NE(plot_svg(map).find("Error [dB]"), std::string::npos);
-  map.values.pop_back();
-  EXPECT_THROW(plot_svg(map), InputError);
 }
 
 TEST(Plot, DrawsASinglePointOnAnyAxis) {

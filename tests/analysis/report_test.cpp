@@ -143,16 +143,6 @@ TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
   EXPECT_NE(html.find(">250</td>"), std::string::npos);
 }
 
-TEST(ReportTable, ComesFromResultRows) {
-  ResultTable results;
-  results.add({"ssim_gamma", 0.9, "1", {{"scene", "desk"}}});
-  results.add({"seconds_median", 2, "s", {{"threads", 4LL}}});
-  const ReportTable table = table_from_results(results, "All");
-  EXPECT_EQ(table.headings, (std::vector<std::string>{"scene", "threads", "quantity", "value", "unit"}));
-  EXPECT_EQ(table.rows[0], (std::vector<Cell>{"desk", "", "ssim_gamma", 0.9, ""}));
-  EXPECT_EQ(table.rows[1], (std::vector<Cell>{"", 4LL, "seconds_median", 2.0, "s"}));
-}
-
 TEST(DataUri, EncodesTheExamplesOfRfc4648) {
   EXPECT_EQ(detail::data_uri("t", ""), "data:t;base64,");
   EXPECT_EQ(detail::data_uri("t", "f"), "data:t;base64,Zg==");
