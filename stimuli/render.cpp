@@ -95,8 +95,8 @@ void check_radiance(Rgb c, int x, int y) {
                  fmt::format("radiance ({}, {}, {}) in pixel ({}, {})", c.r, c.g, c.b, x, y));
 }
 
-// The paths of a pixel are one low-discrepancy set over the whole block. Any 16 consecutive points of it have
-// exactly one in each of the 4 × 4 samples, so every sample gets the same number.
+// The paths of a pixel are one low-discrepancy set over the whole block. Any aligned run of 16 points of
+// it has exactly one in each of the 4 × 4 samples, so every sample gets the same number.
 BlockSums trace_block(const ViewJob& job, int x, int y, tracer::RayCounts& counts) {
   BlockSums sums;
   std::array<double, kBlockSamples> inverse_depth{};

@@ -71,11 +71,11 @@ struct RenderedView {
 /// views is this function too.
 ///
 /// The camera stands at centre + (s − (columns−1)/2)·spacing_x·right − (t − (rows−1)/2)·spacing_y·up of
-/// Scene::camera. Radiance is unbiased path tracing, in cd/m²: nothing is clamped. Light paths end after
-/// Scene::max_bounces scattering events. Disparity is that of the first surface along each camera ray, opaque
-/// or smooth dielectric (a water surface counts, what lies below does not); the medium is no surface; sky has
-/// disparity 0. Inverse depths are averaged within each of the 4 × 4 samples, then the block is reduced by
-/// preprocess_block.
+/// Scene::camera. Radiance is path tracing in cd/m², an unbiased estimate of the light of all paths of up to
+/// Scene::max_bounces scattering events (without those Scene::caustics leaves out); nothing is clamped.
+/// Disparity is that of the first surface along each camera ray, opaque or smooth dielectric (a water surface
+/// counts, what lies below does not); the medium is no surface; sky has disparity 0. Inverse depths are
+/// averaged within each of the 4 × 4 samples, then the block is reduced by preprocess_block.
 ///
 /// The result depends on scene, grid, position, paths, seed and block options only, bit by bit.
 RenderedView render_view(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,

@@ -90,8 +90,9 @@ struct Medium {
   float anisotropy = 0;  ///< Henyey-Greenstein g in (−1, 1)
 };
 
-/// Openings through which sky light enters an interior: sampled explicitly where the whole sky would be
-/// noisy. A parallelogram corner + a·edge_u + b·edge_v.
+/// Openings through which light from sky and sun enters an interior: sampled explicitly where the whole sky,
+/// and the patches the sun shines on behind them, would be noisy. A parallelogram corner + a·edge_u +
+/// b·edge_v.
 struct SkyPortal {
   Vec3 corner_m, edge_u_m, edge_v_m;
 };

@@ -47,7 +47,7 @@ Materials make_materials(SceneAssembler& scene) {
   m.glass = scene.material(glossy(plain({0.03f, 0.055f, 0.03f}), constant(0.12f), 1.5f));
   m.clay = scene.material(
       glossy(mottled({0.42f, 0.2f, 0.1f}, {0.25f, 0.12f, 0.07f}, 0.08f, 0, 41), constant(0.3f), 1.5f));
-  m.grass = scene.material(diffuse(mottled({0.16f, 0.26f, 0.06f}, {0.32f, 0.34f, 0.12f}, 0.6f, 0, 51)));
+  m.grass = scene.material(diffuse(mottled({0.06f, 0.11f, 0.025f}, {0.13f, 0.15f, 0.05f}, 0.6f, 0, 51)));
   m.leaves = scene.material(diffuse(mottled({0.07f, 0.14f, 0.03f}, {0.2f, 0.3f, 0.07f}, 0.35f, 0, 61)));
   m.flame = scene.material(lamp({9000, 6100, 3000}));
   return m;
@@ -296,9 +296,7 @@ Scene cellar_room() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  // Direct light alone: sun patches are small and bright, light that bounces off them would be found by
-  // chance only.
-  result.max_bounces = 1;
+  result.max_bounces = 2;
   return result;
 }
 

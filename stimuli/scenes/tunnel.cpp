@@ -299,8 +299,7 @@ Scene build_tunnel() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  // Lamps and sky reflect in a single bounce; longer paths add little but sparks of light found by chance.
-  result.max_bounces = 1;
+  result.max_bounces = 2;
   return result;
 }
 

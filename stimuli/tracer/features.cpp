@@ -48,6 +48,8 @@ Features features_of(const Scene& scene, std::vector<PrunedStage>& left_out) {
   decide(f.emitters, has_lamps(scene), "lamps", "the scene has no luminous triangles");
   decide(f.sun, scene.sun && !is_black(scene.sun->illuminance_lx), "sun", "the scene has no sun");
   decide(f.sky, has_sky_light(scene.sky), "sky", "no light comes from sky or ground");
+  decide(f.patches, f.sun && !scene.portals.empty() && scene.max_bounces > 1, "sun patches",
+         "no sunlight that has come through an opening is reflected onto another surface");
   decide(f.absorption, absorbs_inside(scene), "absorption", "no dielectric of the scene absorbs light");
   const bool medium = scene.medium && scene.medium->scattering_per_m + scene.medium->absorption_per_m > 0;
   decide(f.extinction, medium, "medium", "the scene has no participating medium");

@@ -12,6 +12,7 @@ struct Features {
   bool emitters = true;    ///< sampling of lamps
   bool sun = true;         ///< sampling of the sun
   bool sky = true;         ///< sampling of sky, ground and portals
+  bool patches = true;     ///< joining walls to patches of sunlight behind portals
   bool absorption = true;  ///< Beer-Lambert inside dielectrics
   bool extinction = true;  ///< attenuation by the medium
   bool scattering = true;  ///< single scattering in the medium

@@ -9,6 +9,7 @@
 #include "stimuli/tracer/sampler.h"
 #include "stimuli/tracer/sky_light.h"
 #include "stimuli/tracer/sun_light.h"
+#include "stimuli/tracer/sun_patches.h"
 
 namespace plenolab::tracer {
 
@@ -18,6 +19,7 @@ struct World {
   RayScene rays;
   Emitters emitters;
   SunLight sun;
+  SunPatches patches;
   SkyLight sky;
   Portals portals;
   Medium medium;  ///< an empty box if the scene has none
@@ -31,14 +33,15 @@ struct RayCounts {
 
 /// What one camera ray sees.
 struct PathResult {
-  Rgb radiance;          ///< cd/m², one unbiased sample
+  Rgb radiance;          ///< cd/m², one unbiased sample of all paths up to Scene::max_bounces
   float distance_m = 0;  ///< to the first surface; ∞ for the sky
 };
 
 /// Traces one path from the camera: next-event estimation of lamps, sun and sky (the best of several
 /// candidates each, by resampling) at every surface that is not specular, combined with sampling by the BSDF
-/// (power heuristic), single scattering of lamps and sun along every segment, Russian roulette after three
-/// scattering events. Sample dimension 0 belongs to the caller.
+/// (power heuristic), joined to patches of sunlight behind openings, single scattering of lamps and sun along
+/// every segment, Russian roulette after three scattering events. The first surface that is not specular draws
+/// several times: its textures are dear, more rays from it are not. Sample dimension 0 belongs to the caller.
 PathResult trace_path(const World& world, const Features& features, const Ray& camera_ray,
                       const PathSampler& sampler, RayCounts& counts);
 

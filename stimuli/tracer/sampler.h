@@ -49,6 +49,14 @@ class PathSampler {
  public:
   constexpr PathSampler(std::uint64_t pixel_seed, std::uint32_t index) : seed_(pixel_seed), index_(index) {}
 
+  /// The sampler of part `part` of `parts` (a power of two) where a path branches: the parts of all paths of a
+  /// pixel are again one stratified set.
+  constexpr PathSampler split(std::uint32_t part, std::uint32_t parts) const {
+    PathSampler result = *this;
+    result.index_ = index_ * parts + part;
+    return result;
+  }
+
   constexpr std::array<float, 2> get_2d(std::uint32_t dimension) const {
     const std::uint64_t words = mix64(seed_ + 0x9e3779b97f4a7c15ull * (2ull * dimension + 1));
     const auto low = static_cast<std::uint32_t>(words);

@@ -7,7 +7,6 @@ SunLight::SunLight(const Scene& scene) {
   const double half_angle = sun.angular_diameter_deg * std::numbers::pi / 360.0;
   const double sine = std::sin(half_angle);
   direction_ = sun.direction;
-  illuminance_ = sun.illuminance_lx;
   // A disc of radiance L subtending the half angle θ gives π·sin²θ·L on a surface that faces it.
   radiance_ = sun.illuminance_lx * static_cast<float>(1.0 / (std::numbers::pi * sine * sine));
   const double one_minus_cos = 2.0 * std::sin(half_angle / 2) * std::sin(half_angle / 2);

@@ -15,7 +15,8 @@ class SunLight {
   /// Radiance from a direction: that of the disc inside the cone, 0 outside.
   Rgb radiance(const Vec3& direction) const;
   Rgb disc_radiance() const { return radiance_; }
-  Rgb illuminance_lx() const { return illuminance_; }
+  /// Unit direction towards the middle of the disc.
+  const Vec3& centre() const { return direction_; }
   /// Direction inside the cone, uniform per solid angle.
   Vec3 sample(std::array<float, 2> u) const;
   /// Density per solid angle of sample() inside the cone.
@@ -23,7 +24,7 @@ class SunLight {
 
  private:
   Vec3 direction_{0, 0, 1};
-  Rgb radiance_{}, illuminance_{};
+  Rgb radiance_{};
   float one_minus_cos_ = 1e-5f;
   float pdf_ = 0;
 };

@@ -80,6 +80,20 @@ inline ViewGrid small_grid(int width = 8, int height = 8, double fov_h_deg = 60)
   return {1, 1, 0.1, 0.1, width, height, fov_h_deg};
 }
 
+/// Integral over the sphere by a midpoint rule.
+template <class F>
+inline double integrate_sphere(F f, int rows) {
+  double sum = 0;
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < 2 * rows; ++j) {
+      const double cosine = 1 - 2 * (i + 0.5) / rows, sine = std::sqrt(1 - cosine * cosine);
+      const double phi = std::numbers::pi * (j + 0.5) / rows;
+      sum += f(Vec3(static_cast<float>(sine * std::cos(phi)), static_cast<float>(sine * std::sin(phi)),
+                    static_cast<float>(cosine)));
+    }
+  return sum * 4 * std::numbers::pi / (2.0 * rows * rows);
+}
+
 /// Mean colour of all pixels, in double.
 inline double mean_green(const SceneImage& image) {
   double sum = 0;

@@ -28,6 +28,7 @@ Scene full_scene() {
                   sphere({0, 3.5f, 1}, 0.1f, 8, 5)};
   scene.sun = Sun{Vec3(0.6f, 0, 0.8f), 0.53f, {1000, 900, 800}};
   scene.sky.kind = Sky::Kind::kDaylight;
+  scene.portals = {{Vec3(-4, 1, 3), Vec3(8, 0, 0), Vec3(0, 6, 0)}};
   scene.medium = Medium{Vec3(-3, 1, -1), Vec3(3, 6, 2), 0.05f, 0.01f, 0.4f};
   return scene;
 }
@@ -64,7 +65,7 @@ TEST(Repeatability, APreparedSceneLeavesTheProcessItsThreads) {
 }
 
 TEST(Repeatability, PruningChangesNoBitWhateverASceneLacks) {
-  std::vector<Scene> scenes(8, full_scene());
+  std::vector<Scene> scenes(9, full_scene());
   scenes[1].medium.reset();
   scenes[2].sky = Sky{};
   scenes[3].sky = Sky{}, scenes[3].sun.reset();
@@ -72,6 +73,7 @@ TEST(Repeatability, PruningChangesNoBitWhateverASceneLacks) {
   scenes[5].meshes.erase(scenes[5].meshes.begin() + 4), scenes[5].materials[4] = diffuse(0.5f);  // no glass
   scenes[6].sun.reset(), scenes[6].sky = Sky{}, scenes[6].meshes.pop_back();  // no light at all
   scenes[7].medium->scattering_per_m = 0;
+  scenes[8].max_bounces = 1;
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     RenderSettings settings = few_paths();
     const auto pruned = render(scenes[i], small_grid(16, 12), settings);

@@ -34,6 +34,16 @@ TEST(Sampler, EverySixteenConsecutiveSamplesReachAllSubpixelsOnce) {
   }
 }
 
+TEST(Sampler, ThePartsOfBranchingPathsAreOneStratifiedSet) {
+  std::set<std::pair<int, int>> boxes;
+  for (std::uint32_t i = 0; i < 16; ++i)
+    for (std::uint32_t part = 0; part < 4; ++part) {
+      const auto [u, v] = PathSampler(7, i).split(part, 4).get_2d(11);
+      boxes.insert({static_cast<int>(u * 8), static_cast<int>(v * 8)});
+    }
+  EXPECT_EQ(boxes.size(), 64u);
+}
+
 TEST(Sampler, OneDimensionIsStratifiedToo) {
   std::set<int> strata;
   for (std::uint32_t i = 0; i < 64; ++i) strata.insert(static_cast<int>(PathSampler(9, i).get_1d(3) * 64));

@@ -23,20 +23,6 @@ Scene daylight_scene(double elevation, float turbidity) {
   return scene;
 }
 
-// Integral over the sphere by a midpoint rule.
-template <class F>
-double integrate_sphere(F f, int rows) {
-  double sum = 0;
-  for (int i = 0; i < rows; ++i)
-    for (int j = 0; j < 2 * rows; ++j) {
-      const double cosine = 1 - 2 * (i + 0.5) / rows, sine = std::sqrt(1 - cosine * cosine);
-      const double phi = std::numbers::pi * (j + 0.5) / rows;
-      sum += f(Vec3(static_cast<float>(sine * std::cos(phi)), static_cast<float>(sine * std::sin(phi)),
-                    static_cast<float>(cosine)));
-    }
-  return sum * 4 * std::numbers::pi / (2.0 * rows * rows);
-}
-
 TEST(Sky, PreethamsZenithHasTheLuminanceOfThePaper) {
   // Zenith angle 45°, turbidity 3, worked by hand: χ = (4/9 − 1/40)·π/2, Yz = 7.1649·tan χ + 1.7727 kcd/m².
   const PreethamSky sky(std::numbers::pi / 4, 3);
@@ -112,64 +98,6 @@ TEST(Sky, TheGradientRunsFromHorizonToZenithAndEndsAtTheGround) {
 TEST(Sky, ASceneWithoutSkyDoesNotShine) {
   EXPECT_FALSE(SkyLight(empty_scene()).shines());
   EXPECT_TRUE(SkyLight(daylight_scene(0.3, 3)).shines());
-}
-
-// A room with one opening in the ceiling.
-Scene room_scene(bool with_portal) {
-  Scene scene = empty_scene();
-  scene.materials = {diffuse(0.6f)};
-  const auto wall = [&](const Vec3& corner, const Vec3& u, const Vec3& v) {
-    scene.meshes.push_back(parallelogram(corner, u, v, 0));
-  };
-  wall({-2, -2, -1}, {4, 0, 0}, {0, 4, 0});
-  wall({-2, -2, 1}, {4, 0, 0}, {0, 3, 0});
-  wall({-2, 1.5f, 1}, {4, 0, 0}, {0, 0.5f, 0});
-  wall({-2, -2, -1}, {4, 0, 0}, {0, 0, 2});
-  wall({-2, 2, -1}, {4, 0, 0}, {0, 0, 2});
-  wall({-2, -2, -1}, {0, 4, 0}, {0, 0, 2});
-  wall({2, -2, -1}, {0, 4, 0}, {0, 0, 2});
-  scene.sky = uniform_sky(1000, 0);
-  if (with_portal) scene.portals = {{Vec3(-2, 1, 1), Vec3(4, 0, 0), Vec3(0, 0.5f, 0)}};
-  return scene;
-}
-
-TEST(Portals, GiveTheSameLightAsTheWholeSkyWithLessNoise) {
-  const ViewGrid grid = small_grid(6, 4);
-  struct Estimate {
-    double mean, variance;
-  };
-  const auto estimate = [&](bool with_portal) {
-    const PreparedScene prepared(room_scene(with_portal));
-    double sum = 0, squares = 0;
-    const int runs = 24;
-    for (int i = 0; i < runs; ++i) {
-      RenderSettings settings;
-      settings.paths_per_pixel = 64;
-      settings.seed = static_cast<std::uint64_t>(i);
-      const double mean = mean_green(render_view(prepared, grid, {0, 0}, settings).view.colour);
-      sum += mean, squares += mean * mean;
-    }
-    const double mean = sum / runs;
-    return Estimate{mean, (squares / runs - mean * mean) / (runs - 1)};
-  };
-  const Estimate whole = estimate(false), portal = estimate(true);
-  // Welch's t; 4.5 standard errors are passed by chance once in 10^4 or less.
-  EXPECT_LT(std::abs(whole.mean - portal.mean), 4.5 * std::sqrt(whole.variance + portal.variance));
-  EXPECT_LT(portal.variance, whole.variance);
-}
-
-TEST(Portals, ReportTheDensityTheyDrawWith) {
-  Scene scene = room_scene(true);
-  scene.portals.push_back({Vec3(-1, 1.2f, 0.8f), Vec3(2, 0, 0), Vec3(0, 0.5f, 0.1f)});  // behind one another
-  const Portals portals(scene);
-  const Vec3 origin(0.3f, -1, -0.9f);
-  EXPECT_LT(integrate_sphere([&](const Vec3& d) { return static_cast<double>(portals.pdf(origin, d)); }, 512),
-            1.02);
-  EXPECT_GT(integrate_sphere([&](const Vec3& d) { return static_cast<double>(portals.pdf(origin, d)); }, 512),
-            0.98);
-  const DirectionSample s = portals.sample(origin, 0.1f, {0.5f, 0.5f});
-  EXPECT_FLOAT_EQ(s.pdf, portals.pdf(origin, s.direction));
-  EXPECT_EQ(portals.pdf(origin, Vec3(0, 0, -1)), 0);
 }
 
 }  // namespace
