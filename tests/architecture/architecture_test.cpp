@@ -23,6 +23,7 @@ const std::vector<Layer>& layers() {
       {"core/io", {"core/base", "core/image"}},
       {"core/lightfield", {"core/base", "core/image", "core/io"}},
       {"core/synthesis", {"core/base", "core/image", "core/io", "core/lightfield"}},
+      {"core/tonemap", {"core/base", "core/image", "core/io", "core/lightfield", "core/synthesis"}},
       {"metrics", {"core"}},
       {"stimuli", {"core"}},
       {"analysis", {"core"}},
