@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -33,7 +34,7 @@ constexpr Rgb& operator+=(Rgb& a, Rgb b) {
 
 /// A rectangular array of values, row by row, row 0 at the top. Pixel (x, y) covers [x, x+1) × [y, y+1): its
 /// centre is at (x + 0.5, y + 0.5) in image coordinates.
-template <class T>
+template <class T, class Allocator = std::allocator<T>>
 class Plane {
  public:
   Plane() = default;
@@ -60,7 +61,7 @@ class Plane {
   }
   int width_ = 0;
   int height_ = 0;
-  std::vector<T> data_;
+  std::vector<T, Allocator> data_;
 };
 
 /// What the numbers of an image mean. Scene-referred: linear radiance (cd/m² or relative, see its owner),

@@ -113,9 +113,9 @@ PreparedView prepare(const KeyView<Referral>& view, int threads) {
   out.width = view.colour.width();
   out.height = view.colour.height();
   if constexpr (std::is_same_v<Referral, SceneReferred>) out.largest_finite = largest_finite(view.colour);
-  out.pixels = Plane<ColourDisparity>(out.width, out.height);
+  out.pixels = LargePlane<ColourDisparity>(out.width, out.height);
   out.disparity =
-      Plane<float>(out.width + 2 * PreparedView::kPadding, out.height + 2 * PreparedView::kPaddingRows);
+      LargePlane<float>(out.width + 2 * PreparedView::kPadding, out.height + 2 * PreparedView::kPaddingRows);
   std::vector<std::size_t> repaired(static_cast<std::size_t>(out.height));
   parallel_for(out.height, kRowsPerTask, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) repaired[static_cast<std::size_t>(y)] = prepare_row(view, y, out);

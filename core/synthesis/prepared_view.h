@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/base/huge_pages.h"
 #include "core/image/image.h"
 #include "core/lightfield/light_field.h"
 
@@ -19,6 +20,10 @@ struct DisparityRange {
   float min = 0, max = 0;
 };
 
+/// Synthesis reads a few rows of many places at a time: far apart in memory, hence huge pages.
+template <class T>
+using LargePlane = Plane<T, HugePageAllocator<T>>;
+
 /// A key view in the form that synthesis reads. It needs about 20 bytes a pixel; the key
 /// view itself need not be kept.
 /// - Scene-referred colour is max(C, 0)^(1/2.2), unclipped; display-referred colour is taken as it is.
@@ -30,8 +35,8 @@ struct PreparedView {
   static constexpr int kBlock = 8;        ///< quads along the edge of a block of `blocks`
 
   int width = 0, height = 0;
-  Plane<ColourDisparity> pixels;
-  Plane<float> disparity;        ///< with its edge repeated: pixel (x, y) at (x + kPadding, y + kPaddingRows)
+  LargePlane<ColourDisparity> pixels;
+  LargePlane<float> disparity;   ///< with its edge repeated: pixel (x, y) at (x + kPadding, y + kPaddingRows)
   Plane<DisparityRange> blocks;  ///< over the 9 × 9 pixels of each 8 × 8 block of quads
   float min_disparity = 0, max_disparity = 0;
   float largest_finite = 0;  ///< largest finite radiance, which +Inf counts as
