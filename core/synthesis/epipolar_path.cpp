@@ -73,6 +73,29 @@ void tabulate(EpipolarPath& path) {
       path.sub_samples.push_back(path.sub_sample(path.disparity(k - 1), path.disparity(k), sub));
 }
 
+/// The first sample with d_k < far.
+int first_below(const EpipolarPath& path, double far) {
+  int index =
+      static_cast<int>(std::clamp((path.d_max - far) / path.step + 1 - static_cast<double>(path.first), 0.0,
+                                  static_cast<double>(path.last())));
+  while (index > 0 && path.disparity(index - 1) < far) --index;
+  while (index < path.last() && path.disparity(index) >= far) ++index;
+  return index;
+}
+
+std::vector<AxisClip> clip_all(const EpipolarPath& path, double offset, double v, int size) {
+  std::vector<AxisClip> clips(static_cast<std::size_t>(size));
+  for (int n = 0; n < size; ++n) {
+    AxisClip& clip = clips[static_cast<std::size_t>(n)];
+    clip.far = path.start;
+    clip_axis(n + offset, v, size, clip.near, clip.far);
+    if (clip.near > clip.far || clip.far == path.start) continue;
+    clip.entry = path.at(clip.far);
+    clip.first = first_below(path, clip.far);
+  }
+  return clips;
+}
+
 }  // namespace
 
 double EpipolarPath::disparity(int index) const {
@@ -121,6 +144,8 @@ EpipolarPath make_path(const ViewGrid& grid, CameraPosition position, const Used
   path.step = std::min(options.step_px / std::hypot(path.vx, path.vy), kMaxStep);
   path.start = d_max + path.step;
   tabulate(path);
+  path.columns = clip_all(path, path.sx, path.vx, path.width);
+  path.rows = clip_all(path, path.sy, path.vy, path.height);
   return path;
 }
 

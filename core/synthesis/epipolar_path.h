@@ -32,6 +32,13 @@ inline constexpr double kMaxDisparity_px = 1e9;
 /// Nearest fixed screen, as the disparity of its plane.
 inline constexpr double kMaxScreenDisparity_px = 1e5;
 
+/// Where the paths of one column (or row) of the novel view run inside the key view along that axis.
+struct AxisClip {
+  double near = 0, far = 0;  ///< interval of d, within [0, start]; empty if near > far
+  PathSample entry;          ///< at d = far, if that is below start: there the path enters through the border
+  int first = 0;             ///< index of the first tabulated sample with d_k < far
+};
+
 /// The path A(d) = B + (b_x, b_y·b_v/b_h)·d of one key view (section 4.1.3) and its samples, shared by all
 /// pixels: d_k = d_max + (1 − k)·Δ for k = 0, 1, … while positive, then exactly 0, with Δ = step_px / |(b_x,
 /// b_y·b_v/b_h)|. Only samples at which some pixel of the novel view is inside the key view are tabulated,
@@ -45,6 +52,7 @@ struct EpipolarPath {
   std::vector<PathSample> samples;  ///< of k = first + index; the last one is d = 0
   std::vector<PathSample>
       sub_samples;  ///< kSubSamples + 1 for each of `samples`: from d_(k−1) to d_k, both included
+  std::vector<AxisClip> columns, rows;  ///< of the novel view; empty where no search takes place
 
   bool is_key_view() const { return vx == 0 && vy == 0; }
   int last() const { return static_cast<int>(samples.size()) - 1; }

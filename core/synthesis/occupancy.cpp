@@ -11,12 +11,22 @@
 // them is a hit. Unlike a splat of single pixels dilated by a constant, this covers pseudo-surfaces between
 // two surfaces, where the bilinear disparity passes through values that no pixel has. Rounding is covered by
 // widening [m, M] and the region: the test is evaluated in float with an error below 5e-7 of the largest
-// disparity, positions with one below 1e-6 px. Blocks of 8 × 8 quads that are nearly flat are entered as one;
-// samples of steep quads are entered eight at a time.
+// disparity, positions with one below 1e-6 px.
+//
+// Quads in which f falls along the whole way of the path are left out. Between d' = d_(k−1) and d_k, f has to
+// rise from ≤ 0 to > 0; where it falls at least as fast as the path's own d (v·∇disp ≥ 2), it does not, so
+// that some d* with f = 0 lies in a quad that is entered. With the rounding error ε of f: outside the quads
+// entered |f| > ε does not hold for an f ≤ ε that only falls, and a whole step in quads left out takes f from
+// ≤ ε to ≤ ε − Δ, below −ε as long as Δ > 2ε. A path that enters through the border begins with less than a
+// step, so quads near the border are always entered. This spares the tiles beside an edge that lie behind it.
+//
+// Blocks of 8 × 8 quads that are nearly flat are entered as one; in the others, small groups of quads are
+// entered together, and the samples of steep groups eight at a time.
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <limits>
 
 #include "core/base/parallel.h"
 #include "core/synthesis/search.h"
@@ -26,7 +36,9 @@ namespace {
 
 constexpr double kRegionMargin_px = 1e-3;
 constexpr double kFlatSteps = 2;          ///< blocks whose disparity spans fewer steps are entered as one
-constexpr int kSamplesAtOnce = 8;         ///< of a steep quad
+constexpr int kSamplesAtOnce = 8;         ///< of a steep group of quads
+constexpr int kGroup = 2;                 ///< quads along the edge of a group
+constexpr int kBorder = 6;                ///< px: more than a step, whose largest is 4
 constexpr double kDenseShare = 1.0 / 32;  ///< entering costs about as much as 32 vectorised samples
 
 double disparity_margin(const EpipolarPath& path) {
@@ -45,7 +57,11 @@ struct SampleRange {
 class OccupancyBuilder {
  public:
   OccupancyBuilder(const PreparedView& view, const EpipolarPath& path, TileOccupancy& out)
-      : view_(view), path_(path), out_(out), margin_(disparity_margin(path)) {}
+      : view_(view),
+        path_(path),
+        out_(out),
+        margin_(disparity_margin(path)),
+        leaves_out_(path.step > 4 * margin_) {}
 
   void enter_block_row(int row) {
     for (int column = 0; column < view_.blocks.width(); ++column) enter_block(column, row);
@@ -68,19 +84,39 @@ class OccupancyBuilder {
     const int right = std::min(x + kBlock, view_.width - 1), bottom = std::min(y + kBlock, view_.height - 1);
     const DisparityRange range = view_.blocks.at(column, row);
     if (is_flat(range)) return enter_flat(range, {double(x), double(y), double(right), double(bottom)});
-    for (int j = y; j < std::max(bottom, y + 1); ++j)
-      for (int i = x; i < std::max(right, x + 1); ++i) enter_quad(i, j);
+    for (int j = y; j < std::max(bottom, y + 1); j += kGroup)
+      for (int i = x; i < std::max(right, x + 1); i += kGroup)
+        enter_group(i, j, std::min(i + kGroup, std::max(right, x + 1)),
+                    std::min(j + kGroup, std::max(bottom, y + 1)));
   }
 
-  void enter_quad(int i, int j) {
-    const float *upper = view_.disparity_row(j) + i, *lower = view_.disparity_row(j + 1) + i;
-    const DisparityRange range{std::min(std::min(upper[0], upper[1]), std::min(lower[0], lower[1])),
-                               std::max(std::max(upper[0], upper[1]), std::max(lower[0], lower[1]))};
-    const Region quad{double(i), double(j), double(i + 1), double(j + 1)};
+  /// The quads [x, right) × [y, bottom).
+  void enter_group(int x, int y, int right, int bottom) {
+    DisparityRange range{std::numeric_limits<float>::max(), -1};
+    for (int j = y; j < bottom; ++j)
+      for (int i = x; i < right; ++i) {
+        const float *upper = view_.disparity_row(j) + i, *lower = view_.disparity_row(j + 1) + i;
+        if (falls(upper, lower) && !is_near_border(i, j)) continue;
+        range.min = std::min({range.min, upper[0], upper[1], lower[0], lower[1]});
+        range.max = std::max({range.max, upper[0], upper[1], lower[0], lower[1]});
+      }
+    if (range.max < 0) return;
+    const Region region{double(x), double(y), double(right), double(bottom)};
     if (is_flat(range))
-      enter_flat(range, quad);
+      enter_flat(range, region);
     else
-      enter_steep(range, quad);
+      enter_steep(range, region);
+  }
+
+  /// Whether f falls along the path everywhere in a quad.
+  bool falls(const float* upper, const float* lower) const {
+    const double across = std::min(path_.vx * (upper[1] - upper[0]), path_.vx * (lower[1] - lower[0]));
+    const double down = std::min(path_.vy * (lower[0] - upper[0]), path_.vy * (lower[1] - upper[1]));
+    return leaves_out_ && across + down >= 2;
+  }
+
+  bool is_near_border(int i, int j) const {
+    return std::min({i, j, view_.width - 2 - i, view_.height - 2 - j}) < kBorder;
   }
 
   void enter_flat(DisparityRange range, const Region& region) {
@@ -161,6 +197,7 @@ class OccupancyBuilder {
   const EpipolarPath& path_;
   TileOccupancy& out_;
   double margin_;
+  bool leaves_out_;  ///< a step is longer than the rounding errors of f, see above
 };
 
 TileOccupancy filled(const EpipolarPath& path, std::uint64_t fill) {

@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/synthesis/search.h"
 
@@ -13,6 +14,8 @@
 #define HWY_TARGET_INCLUDE "core/synthesis/search_patch.cpp"
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
+
+#include "core/synthesis/crossing-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace plenolab {
@@ -22,18 +25,14 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr int kRows = TileOccupancy::kTileHeight;
 constexpr int kNever = std::numeric_limits<int>::max();
 
-using Floats = hn::CappedTag<float, TileOccupancy::kTileWidth>;
-using Ints = hn::RebindToSigned<Floats>;
-using FloatVec = hn::Vec<Floats>;
-using IntVec = hn::Vec<Ints>;
-using LaneMask = hn::Mask<Floats>;
-
 /// One tile-high strip of as many columns as a vector has lanes.
 class StripSearch {
  public:
   StripSearch(const PreparedView& view, const EpipolarPath& path, std::span<const std::uint64_t> candidates,
               int x, int y, PatchHits& hits, int hits_index)
-      : view_(view), path_(path), candidates_(candidates), x_(x), y_(y), hits_(hits), base_(hits_index) {}
+      : view_(view), path_(path), candidates_(candidates), x_(x), y_(y), hits_(hits), base_(hits_index) {
+    std::iota(columns_, columns_ + kLanes, x);
+  }
 
   SearchCounts run(int columns, int rows) {
     start_pixels(columns, rows);
@@ -47,8 +46,7 @@ class StripSearch {
   /// Sets the first sample of every pixel; pixels whose path enters through the border need their own look.
   void start_pixels(int columns, int rows) {
     std::fill_n(first_, kRows * kLanes, kNever);
-    const bool all_inside = starts_inside(x_, y_) && starts_inside(x_ + columns - 1, y_ + rows - 1) &&
-                            starts_inside(x_ + columns - 1, y_) && starts_inside(x_, y_ + rows - 1);
+    const bool all_inside = start_inside(path_.columns, x_, columns) && start_inside(path_.rows, y_, rows);
     if (all_inside && columns == kLanes) {
       std::fill_n(first_, rows * kLanes, 0);
       rows_left_ = (1u << rows) - 1;
@@ -63,52 +61,47 @@ class StripSearch {
     }
   }
 
-  bool starts_inside(int x, int y) const {
-    const ClippedPath clip = clip_path(path_, x, y);
-    return clip.inside && !clip.entered && clip.near <= 0;
+  /// Whether the paths of these columns or rows run inside the image all the way.
+  bool start_inside(const std::vector<AxisClip>& clips, int begin, int count) const {
+    const auto inside = [&](const AxisClip& clip) { return clip.near <= 0 && clip.far == path_.start; };
+    return inside(clips[static_cast<std::size_t>(begin)]) &&
+           inside(clips[static_cast<std::size_t>(begin + count - 1)]);
   }
 
   int start_pixel(int lane, int row) {
     const int x = x_ + lane, y = y_ + row;
-    const ClippedPath clip = clip_path(path_, x, y);
-    if (!clip.inside || clip.near > 0) {
+    const AxisClip &along_x = path_.columns[static_cast<std::size_t>(x)],
+                   &along_y = path_.rows[static_cast<std::size_t>(y)];
+    const AxisClip& nearer = along_x.far < along_y.far ? along_x : along_y;
+    const double near = std::max(along_x.near, along_y.near);
+    if (near > nearer.far || near > 0) {
       hits_.set(hit_index(row) + lane, search_pixel(view_, path_, candidates_, x, y, counts_));
       return kNever;
     }
-    if (!clip.entered) return 0;
-    const PathSample entry = path_.at(clip.far);
+    if (nearer.far == path_.start) return 0;
+    const PathSample& entry = nearer.entry;
     ++counts_.samples;
     if (bilinear_disparity(view_, x + entry.ox, y + entry.oy, entry.fx, entry.fy) > entry.d) {
       hits_.set(hit_index(row) + lane, Hit{});
       return kNever;
     }
-    return first_below(clip.far);
-  }
-
-  /// The first sample with d_k < far.
-  int first_below(double far) const {
-    int index =
-        static_cast<int>(std::clamp((path_.d_max - far) / path_.step + 1 - static_cast<double>(path_.first),
-                                    0.0, static_cast<double>(path_.last())));
-    while (index > 0 && path_.disparity(index - 1) < far) --index;
-    while (index < path_.last() && path_.disparity(index) >= far) ++index;
-    return index;
+    return nearer.first;
   }
 
   int hit_index(int row) const { return base_ + row * Patch::kMaxWidth; }
 
-  /// Disparities at one sample for a row, or false if no lane of the row is inside the image there.
-  bool disparities(const PathSample& sample, int row, FloatVec& out) const {
+  /// Whether some pixel of the row may be inside the image at a sample.
+  bool reaches_image(const PathSample& sample, int row) const {
     const int i = x_ + sample.ox, j = y_ + row + sample.oy;
-    if (j < -1 || j >= view_.height || i >= view_.width || i + kLanes <= -1) return false;
+    return j >= -1 && j < view_.height && i < view_.width && i + kLanes > -1;
+  }
+
+  /// Disparities at a sample, on row j of the key view and between the columns it lies between.
+  FloatVec between_columns(const PathSample& sample, int j) const {
     const Floats d;
-    const float *upper = view_.disparity_row(j) + i, *lower = view_.disparity_row(j + 1) + i;
-    const auto fx = hn::Set(d, sample.fx), fy = hn::Set(d, sample.fy);
-    const auto a0 = hn::LoadU(d, upper), b0 = hn::LoadU(d, lower);
-    const auto a = hn::Add(a0, hn::Mul(fx, hn::Sub(hn::LoadU(d, upper + 1), a0)));
-    const auto b = hn::Add(b0, hn::Mul(fx, hn::Sub(hn::LoadU(d, lower + 1), b0)));
-    out = hn::Add(a, hn::Mul(fy, hn::Sub(b, a)));
-    return true;
+    const float* left = view_.disparity_row(j) + x_ + sample.ox;
+    const auto a = hn::LoadU(d, left);
+    return hn::Add(a, hn::Mul(hn::Set(d, sample.fx), hn::Sub(hn::LoadU(d, left + 1), a)));
   }
 
   LaneMask active(int row, int index) const {
@@ -120,14 +113,23 @@ class StripSearch {
   void visit(int index) {
     const PathSample& sample = path_.samples[static_cast<std::size_t>(index)];
     const Floats d;
+    const auto fy = hn::Set(d, sample.fy), level = hn::Set(d, sample.d);
+    FloatVec upper, lower = hn::Zero(d);
+    int lower_row = kNever;  // whose values `lower` holds: those of the next row's upper edge
     for (unsigned rows = rows_left_; rows != 0; rows &= rows - 1) {
       const int row = std::countr_zero(rows);
       const LaneMask searching = active(row, index);
       counts_.samples += hn::CountTrue(d, searching);
-      FloatVec disparity = hn::Zero(d);
-      if (!disparities(sample, row, disparity)) continue;
+      if (!reaches_image(sample, row)) continue;
+      const int j = y_ + row + sample.oy;
+      upper = j == lower_row ? lower : between_columns(sample, j);
+      lower = between_columns(sample, j + 1);
+      lower_row = j + 1;
       LaneMask hit = searching;
-      if (index < path_.last()) hit = hn::And(searching, hn::Gt(disparity, hn::Set(d, sample.d)));
+      if (index < path_.last()) {
+        const auto disparity = hn::Add(upper, hn::Mul(fy, hn::Sub(lower, upper)));
+        hit = hn::And(searching, hn::Gt(disparity, level));
+      }
       if (!hn::AllFalse(d, hit)) finish(index, row, hit);
     }
   }
@@ -163,38 +165,36 @@ class StripSearch {
     }
   }
 
-  void refine(int index, int row, LaneMask pending) {
+  void refine(int index, int row, LaneMask lanes) {
     const Floats d;
     const PathSample* sub = path_.sub_samples.data() + static_cast<std::size_t>(index) * (kSubSamples + 1);
-    FloatVec disparity = hn::Zero(d);
-    disparities(sub[0], row, disparity);
-    auto previous = hn::Sub(disparity, hn::Set(d, sub[0].d));
+    Corners corners(view_, x_, y_ + row, sub[0]);
+    Crossings crossings(sub[kSubSamples]);
+    auto previous = hn::Sub(corners.at(sub[0]), hn::Set(d, sub[0].d));
+    LaneMask pending = lanes;
     for (int n = 1; n <= kSubSamples; ++n) {
       counts_.refine += hn::CountTrue(d, pending);
-      disparities(sub[n], row, disparity);
+      const auto disparity = corners.at(sub[n]);
       const auto level = hn::Set(d, sub[n].d);
       const auto f = hn::Sub(disparity, level);
       const LaneMask crossing = hn::And(pending, hn::Gt(disparity, level));
       if (!hn::AllFalse(d, crossing)) {
-        const auto t = hn::Div(previous, hn::Sub(previous, f));
-        const auto gx = hn::Add(hn::Set(d, sub[n - 1].fx), hn::Mul(t, hn::Set(d, sub[n].dx)));
-        const auto gy = hn::Add(hn::Set(d, sub[n - 1].fy), hn::Mul(t, hn::Set(d, sub[n].dy)));
-        store(row, sub[n - 1], gx, gy, crossing);
+        crossings.set(crossing, sub + n, previous, f);
         pending = hn::AndNot(crossing, pending);
-        if (hn::AllFalse(d, pending)) return;
+        if (hn::AllFalse(d, pending)) break;
       }
       previous = f;
     }
-    const PathSample& end = sub[kSubSamples];
-    store(row, end, hn::Set(d, end.fx), hn::Set(d, end.fy), pending);
+    store(row, crossings, lanes);
   }
 
-  void store(int row, const PathSample& sample, FloatVec gx, FloatVec gy, LaneMask lanes) {
+  void store(int row, const Crossings& c, LaneMask lanes) {
     const Ints di;
-    const auto columns = hn::Iota(di, x_ + sample.ox);
-    store_axis(columns, gx, view_.width, lanes, hits_.i + hit_index(row), hits_.fx + hit_index(row));
-    store_axis(hn::Set(di, y_ + row + sample.oy), gy, view_.height, lanes, hits_.j + hit_index(row),
-               hits_.fy + hit_index(row));
+    const auto t = hn::Div(c.before, hn::Sub(c.before, c.at));
+    const auto x = hn::Add(hn::Load(di, columns_), c.ox), y = hn::Add(hn::Set(di, y_ + row), c.oy);
+    const int n = hit_index(row);
+    store_axis(x, hn::Add(c.fx, hn::Mul(t, c.dx)), view_.width, lanes, hits_.i + n, hits_.fx + n);
+    store_axis(y, hn::Add(c.fy, hn::Mul(t, c.dy)), view_.height, lanes, hits_.j + n, hits_.fy + n);
   }
 
   static void store_axis(IntVec whole, FloatVec g, int size, LaneMask lanes, std::int32_t* index_out,
@@ -223,6 +223,7 @@ class StripSearch {
   unsigned rows_left_ = 0;
   SearchCounts counts_;
   alignas(64) int first_[kRows * TileOccupancy::kTileWidth];
+  alignas(64) int columns_[TileOccupancy::kTileWidth];  ///< of the novel view, one a lane
 };
 
 SearchCounts SearchStrips(const PreparedView& view, const EpipolarPath& path, const TileOccupancy& occupancy,

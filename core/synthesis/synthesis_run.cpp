@@ -10,10 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/synthesis/epipolar_path.h"
-#include "core/synthesis/patch_blend.h"
-#include "core/synthesis/search.h"
-#include "core/synthesis/thin_structures.h"
+#include "core/synthesis/synthesis_plan.h"
 
 namespace plenolab {
 namespace {
@@ -83,12 +80,11 @@ class Run {
   NovelView<Referral> run() {
     Stopwatch watch;
     allocate();
-    make_paths();
+    plan_.paths = make_paths();
     if (options_.prune && is_copy()) {
       copy_key_view();
     } else {
-      set_up_blend();
-      build_occupancies();
+      complete_plan();
       work_on_patches();
       if (input_.exact) insert_exact_values();
     }
@@ -122,16 +118,26 @@ class Run {
     if (options_.record_provenance) out_.provenance = Plane<PixelProvenance>(width(), height());
   }
 
-  void make_paths() {
+  std::vector<EpipolarPath> make_paths() const {
+    std::vector<EpipolarPath> paths;
     for (const UsedView& view : input_.views)
-      paths_.push_back(
+      paths.push_back(
           make_path(input_.grid, input_.position, view, static_cast<double>(input_.d_max_px), options_));
+    return paths;
   }
 
   /// Whether every pixel's A is the same pixel of a single key view.
   bool is_copy() const {
-    const EpipolarPath& path = paths_.front();
+    const EpipolarPath& path = plan_.paths.front();
     return count() == 1 && path.is_key_view() && path.sx == 0 && path.sy == 0;
+  }
+
+  void complete_plan() {
+    Stopwatch watch;
+    plan_ = make_plan(input_.views, input_.prepared, std::move(plan_.paths), input_.d_max_px, options_);
+    plan_.blend.decode = std::is_same_v<Referral, SceneReferred>;
+    out_.pruned = std::move(plan_.pruned);
+    out_.timings.occupancy_s = watch.lap();
   }
 
   void copy_key_view() {
@@ -154,7 +160,7 @@ class Run {
   /// On a key view no interpolation takes place: the radiance itself, not its encoded and decoded value. With
   /// a fixed screen this holds where pixels of the screen fall on pixel centres of the key view.
   void insert_exact_values() {
-    const EpipolarPath& path = paths_.front();
+    const EpipolarPath& path = plan_.paths.front();
     const PathSample offset = path.samples.front();
     if (!path.is_key_view() || offset.fx != 0 || offset.fy != 0) return;
     const float largest = input_.prepared.front()->largest_finite;
@@ -166,61 +172,6 @@ class Run {
       }
   }
 
-  void prune(const char* stage, const std::string& reason) { out_.pruned.push_back({stage, reason}); }
-
-  void set_up_blend() {
-    setup_.count = count();
-    setup_.options = options_;
-    setup_.decode = std::is_same_v<Referral, SceneReferred>;
-    setup_.record = options_.record_provenance;
-    float nearest = 0, farthest = input_.d_max_px, quad_range = 0;
-    for (std::size_t v = 0; v < input_.views.size(); ++v) {
-      setup_.prepared[v] = input_.prepared[v].get();
-      setup_.used[v] = input_.views[v];
-      nearest = std::max(nearest, input_.prepared[v]->max_disparity);
-      farthest = std::min(farthest, input_.prepared[v]->min_disparity);
-      quad_range = std::max(quad_range, input_.prepared[v]->max_quad_range);
-    }
-    if (!options_.prune) return;
-    if (quad_range <= static_cast<float>(options_.disocclusion_px)) {
-      setup_.test_disocclusion = false;
-      prune("disocclusion test and restoration",
-            fmt::format("neighbouring pixels differ by at most {} px of disparity, rule 2 allows {}",
-                        quad_range, options_.disocclusion_px));
-    }
-    if (count() == 1) {
-      setup_.test_occlusion = false;
-      prune("occlusion test", "a single key view takes part");
-    } else if (nearest <= farthest + static_cast<float>(options_.occlusion_margin_px)) {
-      setup_.test_occlusion = false;
-      prune("occlusion test", fmt::format("disparities lie in [{}, {}] px, which is within δ_occ = {} px",
-                                          farthest, nearest, options_.occlusion_margin_px));
-    }
-  }
-
-  void build_occupancies() {
-    Stopwatch watch;
-    for (std::size_t v = 0; v < paths_.size(); ++v) {
-      const EpipolarPath& path = paths_[v];
-      const bool below_step = path.d_max < path.step || path.is_key_view();
-      if (options_.prune && below_step) {
-        prune("first pass of the search",
-              path.is_key_view()
-                  ? std::string("the position is that of the key view")
-                  : fmt::format("in key view ({}, {}) the largest disparity of {} px is below one step "
-                                "of {} px",
-                                input_.views[v].column, input_.views[v].row, path.d_max, path.step));
-        occupancies_[v] = last_sample_only(path);
-      } else if (options_.search == SearchKind::kFast) {
-        occupancies_[v] = build_occupancy(*input_.prepared[v], path, options_.threads);
-      }
-      if (options_.keep_thin && setup_.test_disocclusion)
-        splats_[v] = std::make_unique<ThinSplats>(
-            splat_edge_pixels(*input_.prepared[v], path, options_.disocclusion_px));
-    }
-    out_.timings.occupancy_s = watch.lap();
-  }
-
   void work_on_patches() {
     const int across = (width() + Patch::kMaxWidth - 1) / Patch::kMaxWidth;
     const int down = (height() + TileOccupancy::kTileHeight - 1) / TileOccupancy::kTileHeight;
@@ -229,7 +180,8 @@ class Run {
     parallel_for(across * down, 1, options_.threads, [&](int begin, int end) {
       auto space = spaces.take();
       for (int n = begin; n < end; ++n) {
-        const int x = n % across * Patch::kMaxWidth, y = n / across * TileOccupancy::kTileHeight;
+        // Down the columns: the next patch reads most of the same rows of the key views.
+        const int x = n / down * Patch::kMaxWidth, y = n % down * TileOccupancy::kTileHeight;
         const Patch patch{x, y, std::min(Patch::kMaxWidth, width() - x),
                           std::min(TileOccupancy::kTileHeight, height() - y)};
         results[static_cast<std::size_t>(n)] = work_on(patch, *space);
@@ -248,13 +200,14 @@ class Run {
     PatchResult result;
     Stopwatch watch;
     SearchCounts counts;
-    for (std::size_t v = 0; v < paths_.size(); ++v) counts += search(v, patch, space.views[v].hits);
+    for (std::size_t v = 0; v < plan_.paths.size(); ++v) counts += search(v, patch, space.views[v].hits);
     result.timings.search_s = watch.lap();
-    for (std::size_t v = 0; v < paths_.size(); ++v) look_up_patch(*input_.prepared[v], patch, space.views[v]);
-    const std::uint64_t thin = splats_[0] ? keep_thin(patch, space) : 0;
+    for (std::size_t v = 0; v < plan_.paths.size(); ++v)
+      look_up_patch(*input_.prepared[v], patch, space.views[v]);
+    const std::uint64_t thin = plan_.splats[0] ? keep_thin(patch, space) : 0;
     result.timings.lookup_s = watch.lap();
-    result.statistics =
-        blend_patch(setup_, patch, space, {&out_.image, &out_.visible_views, &out_.unseen, &out_.restored});
+    result.statistics = blend_patch(plan_.blend, patch, space,
+                                    {&out_.image, &out_.visible_views, &out_.unseen, &out_.restored});
     result.timings.blend_s = watch.lap();
     if (options_.record_provenance) record(patch, space);
     result.statistics.thin = thin;
@@ -267,26 +220,27 @@ class Run {
   }
 
   std::uint64_t keep_thin(const Patch& patch, PatchViews& space) const {
-    const std::uint64_t kept = keep_edge_pixels(setup_, splats_, patch, space);
+    const std::uint64_t kept = keep_edge_pixels(plan_.blend, plan_.splats, patch, space);
     if (kept == 0) return 0;
-    for (std::size_t v = 0; v < paths_.size(); ++v) look_up_patch(*input_.prepared[v], patch, space.views[v]);
+    for (std::size_t v = 0; v < plan_.paths.size(); ++v)
+      look_up_patch(*input_.prepared[v], patch, space.views[v]);
     return kept;
   }
 
   std::span<const std::uint64_t> candidates(std::size_t v, int x, int y) const {
-    if (occupancies_[v].bits.empty()) return {};
-    return occupancies_[v].tile_of_pixel(x, y);
+    if (plan_.occupancies[v].bits.empty()) return {};
+    return plan_.occupancies[v].tile_of_pixel(x, y);
   }
 
   SearchCounts search(std::size_t v, const Patch& patch, PatchHits& hits) {
     const PreparedView& prepared = *input_.prepared[v];
     SearchCounts counts;
     if (options_.search == SearchKind::kFast && !options_.record_provenance)
-      return search_patch(prepared, paths_[v], occupancies_[v], patch, hits);
+      return search_patch(prepared, plan_.paths[v], plan_.occupancies[v], patch, hits);
     for (int y = patch.y; y < patch.y + patch.height; ++y)
       for (int x = patch.x; x < patch.x + patch.width; ++x) {
         SearchCounts pixel;
-        const Hit hit = search_pixel(prepared, paths_[v], candidates(v, x, y), x, y, pixel);
+        const Hit hit = search_pixel(prepared, plan_.paths[v], candidates(v, x, y), x, y, pixel);
         hits.set((y - patch.y) * Patch::kMaxWidth + x - patch.x, hit);
         counts += pixel;
         if (options_.record_provenance)
@@ -299,13 +253,13 @@ class Run {
   void record(const Patch& patch, const PatchViews& space) {
     for (int y = 0; y < patch.height; ++y)
       for (int x = 0; x < patch.width; ++x)
-        for (std::size_t v = 0; v < paths_.size(); ++v) {
+        for (std::size_t v = 0; v < plan_.paths.size(); ++v) {
           const PatchView& view = space.views[v];
           const int n = y * Patch::kMaxWidth + x;
           Correspondence& c = out_.provenance.at(patch.x + x, patch.y + y)[v];
           c.state = static_cast<CorrespondenceState>(view.state[n]);
           if (c.state == CorrespondenceState::kOutOfFrustum) continue;
-          c.thin = splats_[v] && view.thin[n] != 0;
+          c.thin = plan_.splats[v] && view.thin[n] != 0;
           c.x = static_cast<float>(view.hits.i[n]) + view.hits.fx[n] + 0.5f;
           c.y = static_cast<float>(view.hits.j[n]) + view.hits.fy[n] + 0.5f;
           c.disparity_px = view.colour_disparity[4 * n + 3];
@@ -316,10 +270,7 @@ class Run {
   const SynthesisInput<Referral>& input_;
   const SynthesisOptions& options_;
   NovelView<Referral> out_;
-  std::vector<EpipolarPath> paths_;
-  std::array<TileOccupancy, kMaxViews> occupancies_;
-  std::array<std::unique_ptr<ThinSplats>, kMaxViews> splats_;
-  BlendSetup setup_;
+  SynthesisPlan plan_;
 };
 
 }  // namespace

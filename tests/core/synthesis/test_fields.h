@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <tuple>
@@ -69,6 +70,23 @@ inline LightField stepped_field(const ViewGrid& grid, float largest, float outli
     float disparity = largest * (0.2f + 0.3f * slant);
     if ((x / 7 + y / 5) % 3 == 0) disparity = largest * (0.6f + 0.4f * slant);
     if (noise(seed + 2, n) < outliers) disparity = largest * noise(seed + 3, n);
+    return std::pair(noise_colour(seed, n), disparity);
+  });
+}
+
+/// Discs before a slanted surface whose edges are ramps, from steep to gentle, facing every direction.
+inline LightField ramped_field(const ViewGrid& grid, float largest, std::uint64_t seed) {
+  return field_of(grid, [&](int c, int r, int x, int y) {
+    const std::uint64_t n = pixel_index(c, r, x, y);
+    float disparity = largest * (0.1f + 0.1f * static_cast<float>(x) / static_cast<float>(grid.width));
+    for (std::uint64_t disc = 0; disc < 12; ++disc) {
+      const auto random = [&](std::uint64_t k) { return noise(seed, 4 * disc + k); };
+      const float dx = static_cast<float>(x) - random(0) * static_cast<float>(grid.width);
+      const float dy = static_cast<float>(y) - random(1) * static_cast<float>(grid.height);
+      const float inside = 4 + 12 * random(2) - std::hypot(dx, dy), width = 1 + 8 * random(3);
+      const float share = std::min(inside / width, 1.0f);
+      if (share > 0) disparity = std::max(disparity, largest * (0.3f + 0.7f * random(2)) * share);
+    }
     return std::pair(noise_colour(seed, n), disparity);
   });
 }

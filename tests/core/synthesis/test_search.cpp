@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <memory>
 
@@ -77,6 +79,11 @@ TEST(FastSearch, FindsTheLinearSearchsHitsOnStepsWithoutOutliers) {
   expect_equal_everywhere(stepped_field(grid_of(2, 2, 90, 50), 35, 0, 3));
 }
 
+TEST(FastSearch, FindsTheLinearSearchsHitsOnEdgesOfEverySlopeAndDirection) {
+  expect_equal_everywhere(ramped_field(grid_of(2, 2, 110, 80), 40, 21));
+  expect_equal_everywhere(ramped_field(grid_of(2, 2, 110, 80), 6, 22));
+}
+
 TEST(FastSearch, FindsTheLinearSearchsHitsWhereRowsAreSpacedUnlikeColumns) {
   expect_equal_everywhere(stepped_field(grid_of(2, 2, 70, 60, 0.37), 20, 0.01f, 4));
   expect_equal_everywhere(stepped_field(grid_of(2, 2, 70, 60, 2.6), 9, 0.01f, 5));
@@ -128,6 +135,25 @@ TEST(FastSearch, LooksAtFewerSamplesThanTheLinearSearchOnSmoothSurfaces) {
   const auto by_fast = synthesize(field, {0.5, 0.5}, fast).statistics;
   EXPECT_LT(by_fast.search_samples, by_linear.search_samples / 2);
   EXPECT_EQ(by_fast.refine_samples, by_linear.refine_samples);
+}
+
+std::size_t candidates_of_an_edge(float left, float right) {
+  const ViewGrid grid = grid_of(2, 2, 320, 64);
+  const auto field = field_of(grid, [=](int, int, int x, int) {
+    return std::pair(Rgb{1, 1, 1}, x < 160 ? left : right);
+  });
+  const CameraPosition at{0.5, 0};
+  const UsedView used = select_key_views(grid, at).front();
+  const EpipolarPath path = make_path(grid, at, used, 60, {});
+  const TileOccupancy occupancy = build_occupancy(prepare_view(*field.view(0, 0), 1), path, 1);
+  std::size_t count = 0;
+  for (const std::uint64_t word : occupancy.bits) count += static_cast<std::size_t>(std::popcount(word));
+  return count;
+}
+
+TEST(FastSearch, LeavesOutEdgesThatNoSearchStopsAt) {
+  const std::size_t one = candidates_of_an_edge(60, 5), other = candidates_of_an_edge(5, 60);
+  EXPECT_GT(4 * std::max(one, other), 5 * std::min(one, other));
 }
 
 TEST(EpipolarPath, StartsOneStepBeyondTheLargestDisparityAndEndsAtExactlyZero) {
