@@ -1,0 +1,74 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/image/image.h"
+#include "core/tonemap/colour_ratio.h"
+#include "core/tonemap/tone_mapped.h"
+
+namespace plenolab {
+
+/// Bilateral operator (Durand & Dorsey 2002; thesis, sections 2.1.2, 5.1.2 and 5.1.3).
+///
+/// Input: scene-referred, any unit (automatic settings make the result independent of it). Output: display
+/// values in [0, 1]. With I = log10 L and base = bilateral(I; σ_s, σ_l):
+///   naive      log10 L_target = base·compression + (I − base) − brightness
+///   enhanced   log10 L_target = base_m·compression + foreground·scale + (I − base_m) − brightness,
+/// luma = L_target^(1/2.2), then apply_colour_ratio. base_m takes nothing across depth edges; foreground =
+/// base_m − temporary, where the temporary layer lets foreground pixels take from the background and not the
+/// other way round: W'_d = G(max(disp(q) − disp(p), 0)). Slip of the thesis corrected: it prints p and q the
+/// other way round, against its own text, which puts the half profile on the background.
+struct BilateralToneOptions {
+  bool enhanced = false;                   ///< needs a disparity map
+  bool exact = false;                      ///< the O(σ_s²) filter instead of the fast approximation
+  double sigma_s_share = 0.02;             ///< σ_s as a share of the larger image side, (0, 1]
+  double sigma_log10 = 0.4;                ///< σ_l, log10 units, (0, 100]
+  double sigma_d_px = 0.5;                 ///< σ_d, pixels of disparity, (0, 1e6]
+  std::optional<double> compression;       ///< (0, 1]; absent: min(1, log10 5 / range of all bases)
+  std::optional<double> brightness;        ///< log10 units; absent: compression · largest base
+  std::optional<double> foreground_scale;  ///< [0, 4]; absent: 1 − compression, with which the foreground
+                                           ///< equals the naive operator and the background keeps no profile
+  double colour_exponent = kColourExponent;  ///< [0, 1]
+  void validate() const;
+};
+
+/// The layers, log10 units of L, for display and for the result. `base` is the naive base or base_m;
+/// `foreground` is empty for the naive operator and where no depth edge can change a weight.
+struct BilateralLayers {
+  Plane<float> log_luminance, base, foreground;
+  /// I − base.
+  Plane<float> detail() const;
+};
+
+/// Computes the layers of a view. `floor` > 0 stands for luminance 0 (log_floor of the light field).
+/// `disparity` of the same size is required by the enhanced operator and unused by the naive one; InputError
+/// otherwise.
+BilateralLayers bilateral_layers(const BilateralToneOptions& options, const SceneImage& view,
+                                 const DisparityMap* disparity, double floor, int threads = 0);
+
+/// Smallest and largest value of bases.
+struct BaseRange {
+  double min = 0, max = 0;
+  friend bool operator==(const BaseRange&, const BaseRange&) = default;
+};
+BaseRange measure_base(const BilateralLayers& layers);
+BaseRange merge(const BaseRange& a, const BaseRange& b);
+
+struct BilateralToneParameters {
+  BilateralToneOptions options;  ///< of the layers
+  double floor = 1;
+  double compression = 1, brightness = 0, foreground_scale = 0;
+};
+
+/// Parameters for a whole light field: `bases` is the range over all of its views, so that all views are
+/// mapped alike.
+BilateralToneParameters fit(const BilateralToneOptions& options, const BaseRange& bases, double floor);
+
+/// log10 L_target of layers.
+Plane<float> target_log_luminance(const BilateralToneParameters& parameters, const BilateralLayers& layers);
+
+ToneMapped apply(const BilateralToneParameters& parameters, const SceneImage& view,
+                 const DisparityMap* disparity, int threads = 0);
+
+}  // namespace plenolab
