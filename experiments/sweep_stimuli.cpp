@@ -82,11 +82,9 @@ SweepStimulus stimulus_from_captured(const LightField& captured) {
 }
 
 std::vector<WideColumn> sweep_columns() {
-  return {{"psnr_gamma_db", "PSNR gamma [dB]"},
-          {"seconds_median", "seconds"},
-          {"memory_mib", "memory [MiB]"},
-          {"samples_per_search", "samples"},
-          {"on_pareto_front", "Pareto front"}};
+  return {{"psnr_gamma_db", "PSNR gamma [dB]"},     {"seconds_median", "seconds"},
+          {"memory_held_mib", "memory held [MiB]"}, {"memory_peak_mib", "peak [MiB]"},
+          {"samples_per_search", "samples"},        {"on_pareto_front", "Pareto front"}};
 }
 
 }  // namespace plenolab

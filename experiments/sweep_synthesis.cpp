@@ -4,7 +4,9 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 
+#include "analysis/memory.h"
 #include "analysis/pareto.h"
 #include "analysis/timing.h"
 #include "core/base/error.h"
@@ -19,7 +21,8 @@ namespace {
 
 struct Outcome {
   SynthesisSetting setting;
-  double psnr_db = 0, samples_per_search = 0, memory_mib = 0;
+  double psnr_db = 0, samples_per_search = 0, held_mib = 0;
+  std::optional<double> peak_mib;
   TimingSummary timing;
   double rms_error() const { return std::pow(10.0, -psnr_db / 20); }
 };
@@ -28,13 +31,22 @@ const char* name_of(SearchKind search) {
   return search == SearchKind::kLinear ? "linear" : "fast";
 }
 
-/// Memory that one synthesis holds: four key views with disparity, their prepared form, and the result.
+/// Memory that one synthesis holds when it is done: four key views with disparity, their prepared form, and
+/// the result.
 double held_memory_mib(const Synthesizer& synthesizer, const NovelView<SceneReferred>& view) {
   const double pixels = static_cast<double>(view.image.size());
   const double key_view_bytes =
       pixels * (sizeof(Rgb) + sizeof(float)) * static_cast<double>(view.views.size());
   const double result_bytes = pixels * (sizeof(Rgb) + 1 + 2 * sizeof(unsigned char));
   return (key_view_bytes + static_cast<double>(synthesizer.prepared_bytes()) + result_bytes) / 0x1p20;
+}
+
+/// Peak of preparing the key views and synthesising one view from them. They are loaded before, so that
+/// reading and rendering them does not count.
+std::optional<double> measured_peak_mib(const SweepStimulus& stimulus, const SynthesisOptions& options) {
+  const auto work = [&] { Synthesizer(stimulus.key_views).synthesize(stimulus.positions.front(), options); };
+  work();
+  return peak_memory_mib(work);
 }
 
 Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths,
@@ -44,8 +56,8 @@ Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>
   synthesis.step_px = setting.step_px;
   synthesis.key_views = setting.key_views;
   synthesis.threads = options.threads;
+  Outcome outcome{.setting = setting, .peak_mib = measured_peak_mib(stimulus, synthesis)};
   const Synthesizer synthesizer(stimulus.key_views);
-  Outcome outcome{.setting = setting};
   std::vector<double> psnrs, seconds;
   for (std::size_t i = 0; i < stimulus.positions.size(); ++i) {
     // The first call also prepares the key views: it gives the error, the following ones the time.
@@ -56,7 +68,7 @@ Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>
     psnrs.push_back(value_of(psnr_gamma(view.image, truths[i], conditions), "psnr_gamma_db"));
     outcome.samples_per_search +=
         view.statistics.samples_per_search() / static_cast<double>(stimulus.positions.size());
-    outcome.memory_mib = std::max(outcome.memory_mib, held_memory_mib(synthesizer, view));
+    outcome.held_mib = std::max(outcome.held_mib, held_memory_mib(synthesizer, view));
     for (int run = 0; run < options.runs; ++run) {
       const Stopwatch watch;
       synthesizer.synthesize(stimulus.positions[i], synthesis);
@@ -85,7 +97,8 @@ void add_rows(ResultTable& table, const SweepStimulus& stimulus, const std::vect
     table.add({"psnr_gamma_db", o.psnr_db, "dB", columns});
     table.add({"rms_error", o.rms_error(), "1", columns});
     add_timing_rows(table, o.timing, columns);
-    table.add({"memory_mib", o.memory_mib, "MiB", columns});
+    table.add({"memory_held_mib", o.held_mib, "MiB", columns});
+    if (o.peak_mib) table.add({"memory_peak_mib", *o.peak_mib, "MiB", columns});
     table.add({"samples_per_search", o.samples_per_search, "samples", columns});
     table.add({"on_pareto_front", on_front[i] ? 1.0 : 0.0, "1", columns});
   }

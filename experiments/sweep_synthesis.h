@@ -43,8 +43,10 @@ struct SynthesisSweepOptions {
 /// Error against run time and memory of view synthesis: every combination of search, step and number of key
 /// views on each stimulus (image sizes are separate stimuli). Rows, with columns scene, width, search,
 /// step_px, key_views: psnr_gamma_db (pooled over the positions), rms_error (of gamma-encoded values, the
-/// same error on a linear scale), seconds_median … as in add_timing_rows, memory_mib (key views, prepared
-/// views and results held by one synthesis), samples_per_search, and on_pareto_front (1 where no other
+/// same error on a linear scale), seconds_median … as in add_timing_rows, memory_held_mib
+/// (computed: key views, prepared views and result held after one synthesis), memory_peak_mib (measured: peak
+/// resident memory of preparing the key views, which are loaded, and synthesising the first position; where
+/// the system can tell, see peak_memory_mib), samples_per_search, and on_pareto_front (1 where no other
 /// setting of the same stimulus is both faster and better).
 ResultTable sweep_synthesis(const std::vector<SweepStimulus>& stimuli, const SynthesisSweepOptions& options,
                             const Progress& progress = {});

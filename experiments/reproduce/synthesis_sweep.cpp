@@ -81,62 +81,79 @@ std::string key_view_sentence(const std::vector<double>& losses_db) {
       -*least);
 }
 
-}  // namespace
+/// What the sweep of all scenes gives beside its rows.
+struct SweepSummary {
+  ResultTable full_size;
+  double ratio = 0;               ///< run time of the literal over the fast search, the largest of the scenes
+  std::vector<double> losses_db;  ///< of the nearest key view alone
+};
 
-ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory) {
-  ReproductionResult result;
+ReportPlot sweep_plot(const ResultTable& rows, const Scene& scene, int width) {
+  return {
+      plot_synthesis_sweep(rows, scene.id, width),
+      fmt::format("{} at {} pixels: error over run time; labels are search steps in pixels, rings mark the "
+                  "Pareto front",
+                  scene.title, width),
+      fmt::format("PSNR over run time for the {} scene at {} pixels", scene.id, width)};
+}
+
+void sweep_scene(Laboratory& laboratory, const char* scene, ReproductionResult& result,
+                 SweepSummary& summary) {
   SynthesisSweepOptions sweep;
   sweep.runs = 1;  // at three positions
   sweep.settings = settings_to_sweep();
   sweep.threads = laboratory.options().threads;
-  ResultTable full_size;
-  double ratio = 0;
-  std::vector<double> losses_db;
-  int equal = 0, compared = 0;
-  for (const char* scene : kSweptScenes) {
-    const auto stimuli = stimuli_of(laboratory, scene);
-    const ResultTable rows = sweep_synthesis(stimuli, sweep);
-    result.rows.append(rows);
-    append_rows_of_width(full_size, rows, laboratory.grid(scene).width);
-    const int width = stimuli.front().key_views.grid().width;
-    for (const SweepStimulus& s : stimuli) {
-      const int w = s.key_views.grid().width;
-      result.add_plot(
-          fmt::format("{}-{}px", scene, w),
-          {plot_synthesis_sweep(rows, scene, w),
-           fmt::format(
-               "{} at {} pixels: error over run time; labels are search steps in pixels, rings mark the "
-               "Pareto front",
-               laboratory.scene(scene).title, w),
-           fmt::format("PSNR over run time for the {} scene at {} pixels", scene, w)});
-    }
-    const double linear_s = value_at(rows, "seconds_median", setting_columns(scene, width, "linear"));
-    const double fast_s = value_at(rows, "seconds_median", setting_columns(scene, width, "fast"));
-    ratio = std::max(ratio, fast_s > 0 ? linear_s / fast_s : 0);
-    losses_db.push_back(value_at(rows, "psnr_gamma_db", setting_columns(scene, width, "fast")) -
-                        value_at(rows, "psnr_gamma_db", setting_columns(scene, width, "fast", 1)));
+  const auto stimuli = stimuli_of(laboratory, scene);
+  const ResultTable rows = sweep_synthesis(stimuli, sweep);
+  result.rows.append(rows);
+  const int width = stimuli.front().key_views.grid().width;
+  append_rows_of_width(summary.full_size, rows, width);
+  for (const SweepStimulus& s : stimuli) {
+    const int w = s.key_views.grid().width;
+    result.add_plot(fmt::format("{}-{}px", scene, w), sweep_plot(rows, laboratory.scene(scene), w));
   }
-  for (const std::string& id : laboratory.scene_ids()) {
+  const double linear_s = value_at(rows, "seconds_median", setting_columns(scene, width, "linear"));
+  const double fast_s = value_at(rows, "seconds_median", setting_columns(scene, width, "fast"));
+  summary.ratio = std::max(summary.ratio, fast_s > 0 ? linear_s / fast_s : 0);
+  summary.losses_db.push_back(value_at(rows, "psnr_gamma_db", setting_columns(scene, width, "fast")) -
+                              value_at(rows, "psnr_gamma_db", setting_columns(scene, width, "fast", 1)));
+}
+
+/// "equal images, bit by bit, in 5 scenes", from every scene.
+std::string agreement(Laboratory& laboratory, ResultTable& rows) {
+  const std::vector<std::string> ids = laboratory.scene_ids();
+  std::size_t equal = 0;
+  for (const std::string& id : ids) {
     const bool same = searches_agree(laboratory, id);
-    result.rows.add({"searches_agree", same ? 1.0 : 0.0, "1", {{"scene", id}}});
+    rows.add({"searches_agree", same ? 1.0 : 0.0, "1", {{"scene", id}}});
     equal += same ? 1 : 0;
-    ++compared;
   }
+  return equal == ids.size() ? fmt::format("equal images, bit by bit, in all {} scenes", equal)
+                             : fmt::format("equal images in {} of {} scenes", equal, ids.size());
+}
+
+}  // namespace
+
+ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory) {
+  ReproductionResult result;
+  SweepSummary summary;
+  for (const char* scene : kSweptScenes) sweep_scene(laboratory, scene, result, summary);
   result.paper_shows =
       "The thesis chooses search samples one pixel apart as the coarsest step with acceptable artefacts "
-      "(section 4.1.3) "
-      "and gives no run times.";
+      "(section 4.1.3) and gives no run times.";
   result.ours_shows = fmt::format(
-      "Literal and fast search give {} in {} scenes; at one-pixel steps, four key views and full size a "
-      "whole view takes up "
-      "to {:.1f} times longer with the literal search. {}",
-      equal == compared ? "equal images, bit by bit," : fmt::format("equal images {} times", equal), compared,
-      ratio, key_view_sentence(losses_db));
+      "Literal and fast search give {}; at one-pixel steps, four key views and full size a whole view takes "
+      "up to {:.1f} times longer with the literal search. {}",
+      agreement(laboratory, result.rows), summary.ratio, key_view_sentence(summary.losses_db));
   result.add_table(wide_table(
-      full_size, {"scene", "width", "search", "key_views", "step_px"}, sweep_columns(),
-      "Error, run time (median) and memory of every setting at full size; rows.csv has the other sizes"));
-  result.key_figures.push_back(
-      {"Fast over literal search", format_number(ratio, 3), "×", "whole view, the larger of the scenes"});
+      summary.full_size, {"scene", "width", "search", "key_views", "step_px"}, sweep_columns(),
+      "Error, run time (median) and memory of every setting at full size; rows.csv has the other sizes. "
+      "Held: "
+      "computed, what is kept after a view (key views, their prepared form, the result). Peak: measured, "
+      "resident memory while key views are prepared and one view is synthesised, above what was resident "
+      "before"));
+  result.key_figures.push_back({"Fast over literal search", format_number(summary.ratio, 3), "×",
+                                "whole view, the larger of the scenes"});
   return result;
 }
 
