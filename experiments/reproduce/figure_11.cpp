@@ -45,6 +45,17 @@ std::vector<Cell> table_row(const std::string& title, const ViewGrid& grid, int 
           profile.lighting_change};
 }
 
+void show_middle(ReproductionResult& result, const Scene& scene, const LightField& field,
+                 float max_disparity_px) {
+  const auto middle = field.view(field.grid().columns / 2, field.grid().rows / 2);
+  result.add_comparison(scene.id,
+                        {scene.title + ": " + scene.description,
+                         "Middle key view of " + scene.title + " and its disparity",
+                         {{"Middle key view", expose(middle->colour, figure_exposure(middle->colour))},
+                          {"Disparity", false_colour(middle->disparity, max_disparity_px)}}},
+                        {middle->colour});
+}
+
 }  // namespace
 
 ReproductionResult reproduce_scene_overview(Laboratory& laboratory) {
@@ -59,16 +70,9 @@ ReproductionResult reproduce_scene_overview(Laboratory& laboratory) {
   for (const std::string& id : laboratory.scene_ids()) {
     const Scene& scene = laboratory.scene(id);
     const LightField field = laboratory.light_field(id);
-    const ViewGrid& grid = field.grid();
     const LightFieldProfile measured = profile(field);
-    const auto middle = field.view(grid.columns / 2, grid.rows / 2);
-    result.add_comparison(id,
-                          {scene.title + ": " + scene.description,
-                           "Middle key view of " + scene.title + " and its disparity",
-                           {{"Middle key view", expose(middle->colour, figure_exposure(middle->colour))},
-                            {"Disparity", false_colour(middle->disparity, measured.max_disparity_px)}}},
-                          {middle->colour});
-    table.rows.push_back(table_row(scene.title, grid, laboratory.paths_per_pixel(id), measured));
+    show_middle(result, scene, field, measured.max_disparity_px);
+    table.rows.push_back(table_row(scene.title, field.grid(), laboratory.paths_per_pixel(id), measured));
     add_profile_rows(result.rows, id, measured);
     least = std::min(least, measured.dynamic_range_log10);
     most = std::max(most, measured.dynamic_range_log10);

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "core/image/colour.h"
@@ -90,35 +91,41 @@ std::string legend() {
   return text;
 }
 
-}  // namespace
-
-ReproductionResult reproduce_visible_pixels(Laboratory& laboratory) {
-  ReproductionResult result;
-  const auto candidates = cell_positions(laboratory.grid(kScene), std::array{CameraPosition{0.5, 0.5}});
-  const Place place =
-      find_place(laboratory.synthesizer(kScene), candidates, laboratory.options().threads, hidden_somewhere);
-  const NovelView<SceneReferred>& view = place.view;
+void show(ReproductionResult& result, Laboratory& laboratory, const NovelView<SceneReferred>& view) {
   const float exposure = figure_exposure(view.image);
   const auto warped = warp_key_views(view, laboratory.light_field(kScene));
-  const std::string title = laboratory.scene(kScene).title;
-  ImageComparison shown{
-      fmt::format("{} from {}: the key views as they are seen from there ({}), and their blend", title,
-                  name_of(view.position), legend()),
-      "Warped key views with what is not visible masked",
-      {}};
+  ImageComparison shown{fmt::format("{} from {}: the key views as they are seen from there ({}), and their "
+                                    "blend",
+                                    laboratory.scene(kScene).title, name_of(view.position), legend()),
+                        "Warped key views with what is not visible masked",
+                        {}};
   for (std::size_t v = 0; v < warped.size(); ++v)
     shown.images.push_back({fmt::format("Key view {}, {} warped", view.views[v].column, view.views[v].row),
                             masked(view, warped[v], v, exposure)});
   shown.images.push_back({"Synthesised", expose(view.image, exposure)});
   shown.images.push_back({"Visibility", visibility_map(view)});
   result.add_comparison("warped", std::move(shown));
-  const auto [least, most] = add_state_rows(result, view);
+}
 
-  std::size_t shown_by_all = 0;
-  for (const std::uint8_t seen : view.visible_views.pixels()) shown_by_all += seen == view.views.size();
-  const auto pixels = static_cast<double>(view.image.size());
-  result.rows.add({"seen_by_all_share", static_cast<double>(shown_by_all) / pixels, "1",
-                   Columns{{"scene", std::string(kScene)}}});
+/// Share of pixels that all key views see.
+double share_seen_by_all(const NovelView<SceneReferred>& view) {
+  const auto seen = view.visible_views.pixels();
+  const auto all = std::count(seen.begin(), seen.end(), static_cast<std::uint8_t>(view.views.size()));
+  return static_cast<double>(all) / static_cast<double>(seen.size());
+}
+
+}  // namespace
+
+ReproductionResult reproduce_visible_pixels(Laboratory& laboratory) {
+  ReproductionResult result;
+  const auto candidates = cell_positions(laboratory.grid(kScene), offsets_inside_cells().first(1));
+  const Place place =
+      find_place(laboratory.synthesizer(kScene), candidates, laboratory.options().threads, hidden_somewhere);
+  const NovelView<SceneReferred>& view = place.view;
+  show(result, laboratory, view);
+  const auto [least, most] = add_state_rows(result, view);
+  const double seen_by_all = share_seen_by_all(view);
+  result.rows.add({"seen_by_all_share", seen_by_all, "1", Columns{{"scene", std::string(kScene)}}});
   result.paper_shows =
       "Figure 16 shows the pixels of the top-left key view of the Dominoes scene that remain visible after "
       "it is warped to a novel view: the pixels on pseudo-surfaces and behind occluders are discarded.";
@@ -127,9 +134,10 @@ ReproductionResult reproduce_visible_pixels(Laboratory& laboratory) {
       "most discarded pixels. Each key view alone shows {} to {} of the view; {} of its pixels are visible "
       "in all of them and {} in none before restoration: each key view fills the holes that the others "
       "leave.",
-      view.views.size(), title, place.searched, percent(least), percent(most),
-      percent(static_cast<double>(shown_by_all) / pixels),
-      percent(static_cast<double>(view.restored_pixels + view.unseen_pixels) / pixels));
+      view.views.size(), laboratory.scene(kScene).title, place.searched, percent(least), percent(most),
+      percent(seen_by_all),
+      percent(static_cast<double>(view.restored_pixels + view.unseen_pixels) /
+              static_cast<double>(view.image.size())));
   result.differs =
       "The thesis shows one key view of another scene and leaves discarded pixels dark; here all four are "
       "shown and colours tell the cause.";

@@ -88,75 +88,103 @@ DisplayImage recall_map(const SceneImage& truth, const std::vector<ThinPixel>& t
   return map;
 }
 
-}  // namespace
+/// Both ways to synthesise the view, and what they make of thin structures.
+struct ThinStudy {
+  Place place;  ///< with the view as in the thesis
+  NovelView<SceneReferred> keeping;
+  KeyView<SceneReferred> truth;
+  std::vector<ThinPixel> thin;
+  Recall plain, kept;
+  double invented = 0, invented_keeping = 0;
+  PictureNumbers pictures;
+};
 
-ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
-  ReproductionResult result;
+ThinStudy study_thin(Laboratory& laboratory) {
   const int threads = laboratory.options().threads;
   const Synthesizer& synthesizer = laboratory.synthesizer(kScene);
-  const Place place = find_place(synthesizer, cell_positions(laboratory.grid(kScene), offsets_inside_cells()),
-                                 threads, restored_pixels);
   SynthesisOptions options;
   options.threads = threads;
   options.record_provenance = true;
   options.keep_thin = true;
-  const auto keeping = synthesizer.synthesize(place.view.position, options);
-  const auto truth = laboratory.truth(kScene, place.view.position, kTruthPathFactor);
   const auto limit_px = static_cast<float>(options.disocclusion_px);
-  const std::vector<ThinPixel> thin = thin_pixels(truth.disparity, limit_px);
-  const Recall plain = recall_of(place.view, thin), kept = recall_of(keeping, thin);
+  ThinStudy study;
+  study.place = find_place(synthesizer, cell_positions(laboratory.grid(kScene), offsets_inside_cells()),
+                           threads, restored_pixels);
+  study.keeping = synthesizer.synthesize(study.place.view.position, options);
+  study.truth = laboratory.truth(kScene, study.place.view.position, kTruthPathFactor);
+  study.thin = thin_pixels(study.truth.disparity, limit_px);
+  study.plain = recall_of(study.place.view, study.thin);
+  study.kept = recall_of(study.keeping, study.thin);
+  study.invented = invented_share(study.place.view, study.truth.disparity, limit_px);
+  study.invented_keeping = invented_share(study.keeping, study.truth.disparity, limit_px);
+  return study;
+}
 
-  const Columns columns{{"scene", std::string(kScene)}, {"position", name_of(place.view.position)}};
-  const auto numbers = add_pictures(
+void show(ReproductionResult& result, Laboratory& laboratory, ThinStudy& study) {
+  const std::string position = name_of(study.place.view.position);
+  const SceneImage& truth = study.truth.colour;
+  const Columns columns{{"scene", std::string(kScene)}, {"position", position}};
+  study.pictures = add_pictures(
       result,
-      {.what = laboratory.scene(kScene).title + " from " + name_of(place.view.position),
-       .truth = &truth.colour,
-       .synthesised = {{"Synthesised", &place.view.image}, {"Keeping thin structures", &keeping.image}},
-       .maps = {{"Thin pixels", recall_map(truth.colour, thin, plain)},
-                {"Thin pixels, keeping", recall_map(truth.colour, thin, kept)}},
-       .box = densest_box(plain.lost, crop_size(truth.colour.width(), truth.colour.height())),
+      {.what = laboratory.scene(kScene).title + " from " + position,
+       .truth = &truth,
+       .synthesised = {{"Synthesised", &study.place.view.image},
+                       {"Keeping thin structures", &study.keeping.image}},
+       .maps = {{"Thin pixels", recall_map(truth, study.thin, study.plain)},
+                {"Thin pixels, keeping", recall_map(truth, study.thin, study.kept)}},
+       .box = densest_box(study.plain.lost, crop_size(truth.width(), truth.height())),
        .cut_row = {},
-       .note = "Thin pixels: white where the synthesis shows them, red where it does not"},
-      columns, threads);
-  const double invented = invented_share(place.view, truth.disparity, limit_px);
-  const double invented_keeping = invented_share(keeping, truth.disparity, limit_px);
+       .note = "Thin pixels: white where the synthesis shows them, red where it does not. Enlarged is the "
+               "square that loses most of them"},
+      columns, laboratory.options().threads);
   const auto add = [&](const char* method, double recall, double extra) {
     Columns all = columns;
     all.emplace_back("method", std::string(method));
-    result.rows.add({"thin_pixels", static_cast<double>(thin.size()), "px", all});
+    result.rows.add({"thin_pixels", static_cast<double>(study.thin.size()), "px", all});
     result.rows.add({"thin_recall", recall, "1", all});
     result.rows.add({"invented_share", extra, "1", all});
   };
-  add("thesis", plain.share, invented);
-  add("keep_thin", kept.share, invented_keeping);
+  add("thesis", study.plain.share, study.invented);
+  add("keep_thin", study.kept.share, study.invented_keeping);
+}
 
-  result.paper_shows =
-      "Figure 33 shows that thin branches of the Tree and fine parts of its leaves are lost: surfaces "
-      "narrower than 2 × 2 px lie between foreground and background in every key view, so the background is "
-      "shown.";
-  if (thin.empty()) {
-    result.ours_shows = "The true view holds no surface narrower than 2 × 2 px in this run.";
-    result.differs = "Nothing can be compared.";
-    return result;
-  }
+void describe(ReproductionResult& result, const ThinStudy& study) {
+  const double plain = study.plain.share, kept = study.kept.share;
   result.ours_shows = fmt::format(
       "{} pixels of the true view belong to surfaces narrower than 2 × 2 px. The synthesis as in the thesis "
       "shows the structure at {} of them. Our variant that keeps thin structures shows it at {}; pixels "
       "where a view shows something nearer than the truth are {} with it and {} without. PSNR in the "
       "enlarged part, the one that lost most: {:.1f} dB as in the thesis, {:.1f} dB with the variant (whole "
       "view {:.1f} and {:.1f} dB).",
-      thin.size(), percent(plain.share), percent(kept.share), percent(invented_keeping), percent(invented),
-      numbers.box[0].psnr_db, numbers.box[1].psnr_db, numbers.whole[0].psnr_db, numbers.whole[1].psnr_db);
-  result.differs = plain.share < 0.5
-                       ? "They agree: most thin structures are lost by the method of the thesis."
-                       : "They differ: most pixels of thin structures survive here, because neighbouring "
-                         "pixels of larger surfaces cover them.";
-  if (kept.share > plain.share)
-    result.differs += fmt::format(" The variant brings back {} of what is lost.",
-                                  percent((kept.share - plain.share) / (1 - plain.share)));
-  result.key_figures.push_back(
-      {"Thin structures shown", format_number(100 * kept.share, 2), "%",
-       fmt::format("keeping thin structures; {} as in the thesis", percent(plain.share))});
+      study.thin.size(), percent(plain), percent(kept), percent(study.invented_keeping),
+      percent(study.invented), study.pictures.box[0].psnr_db, study.pictures.box[1].psnr_db,
+      study.pictures.whole[0].psnr_db, study.pictures.whole[1].psnr_db);
+  result.differs = plain < 0.5 ? "They agree: most thin structures are lost by the method of the thesis."
+                               : "They differ: most pixels of thin structures survive here, because "
+                                 "neighbouring pixels of larger surfaces cover them.";
+  if (kept > plain)
+    result.differs +=
+        fmt::format(" The variant brings back {} of what is lost.", percent((kept - plain) / (1 - plain)));
+  result.key_figures.push_back({"Thin structures shown", format_number(100 * kept, 2), "%",
+                                fmt::format("keeping thin structures; {} as in the thesis", percent(plain))});
+}
+
+}  // namespace
+
+ReproductionResult reproduce_thin_branches(Laboratory& laboratory) {
+  ReproductionResult result;
+  result.paper_shows =
+      "Figure 33 shows that thin branches of the Tree and fine parts of its leaves are lost: surfaces "
+      "narrower than 2 × 2 px lie between foreground and background in every key view, so the background is "
+      "shown.";
+  ThinStudy study = study_thin(laboratory);
+  show(result, laboratory, study);
+  if (study.thin.empty()) {
+    result.ours_shows = "The true view holds no surface narrower than 2 × 2 px in this run.";
+    result.differs = "Nothing can be compared.";
+  } else {
+    describe(result, study);
+  }
   return result;
 }
 

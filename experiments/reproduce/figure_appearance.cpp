@@ -1,5 +1,7 @@
 #include "experiments/reproduce/figure_appearance.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -51,12 +53,57 @@ double concentration(const Plane<float>& error, const PixelBox& box) {
   return outside <= 0 ? 0 : std::sqrt(inside / (outside / (pixels - inside_pixels)));
 }
 
+/// Errors beside borders of visibility, where the effect is above 0, and elsewhere in the box.
+BorderErrors border_errors(const Place& place, const SceneImage& truth) {
+  const Plane<float> error =
+      smoothed_squared_difference(place.view.image, truth, figure_exposure(truth), /*radius=*/1);
+  Plane<float> border(error.width(), error.height());
+  for (std::size_t n = 0; n < border.size(); ++n) border.pixels()[n] = place.effect.pixels()[n] > 0 ? 1 : 0;
+  const Plane<float> near = box_mean(border, kBesideBorder_px);
+  double sums[2] = {0, 0}, counts[2] = {0, 0};
+  for (int y = place.box.y; y < place.box.y + place.box.height; ++y)
+    for (int x = place.box.x; x < place.box.x + place.box.width; ++x) {
+      const int beside = near.at(x, y) > 0 ? 1 : 0;
+      sums[beside] += static_cast<double>(error.at(x, y));
+      counts[beside] += 1;
+    }
+  const auto rms = [&](int i) { return counts[i] > 0 ? std::sqrt(sums[i] / counts[i]) : 0.0; };
+  return {.beside = rms(1), .elsewhere = rms(0)};
+}
+
 /// Moves the box of the place to the part worth enlarging; returns the row for the epipolar image.
 int choose_part(Place& place, const SceneImage& truth, const AppearanceOptions& options) {
   if (options.at_borders) return densest_row(place.effect, place.box);
   const Plane<float> error = appearance_error(place.view, truth, options.coherent);
   place.box = densest_box(error, place.box.width);
   return densest_row(error, place.box);
+}
+
+/// How position and enlarged part are chosen, exactly.
+std::string choice_text(const Place& place, const AppearanceOptions& options) {
+  const bool on_row = place.view.position.t == std::round(place.view.position.t);
+  const std::string effect =
+      options.at_borders ? "ceasing of key views at borders of visibility changes the blend most (squared "
+                           "change of luma at pixels beside borders on one surface)"
+                         : "key views disagree most (weighted variance of luma, smoothed over 5 × 5 px)";
+  const int smoothed = 2 * kSmoothingRadius + 1;
+  const std::string part =
+      options.at_borders ? "that square itself"
+      : options.coherent
+          ? fmt::format(
+                "the square with the largest sum, over pixels that all key views see, of the squared "
+                "mean error of {0} × {0} px less the variance of errors in them (luma): of errors that "
+                "neighbouring pixels share, not of glitter",
+                smoothed)
+          : fmt::format(
+                "the square with the largest sum, over pixels that all key views see, of squared "
+                "errors (luma, smoothed over {0} × {0} px)",
+                smoothed);
+  return fmt::format(
+      "The position is, of {} {}, the one where {} within a square of {} px, found without the truth. "
+      "Enlarged is {}.",
+      place.searched, on_row ? "midway between two key views of a row" : "at the centres of cells", effect,
+      place.box.width, part);
 }
 
 void add_views(ReproductionResult& result, AppearanceStudy& study, const LightField& field,
@@ -70,12 +117,22 @@ void add_views(ReproductionResult& result, AppearanceStudy& study, const LightFi
                           .synthesised = {{"Synthesised", &view.image}},
                           .maps = {{"Visibility", visibility_map(view)}},
                           .box = study.place.box,
-                          .cut_row = options.with_epi ? std::optional<int>(row) : std::nullopt};
+                          .cut_row = options.with_epi ? std::optional<int>(row) : std::nullopt,
+                          .note = options.seen + (options.seen.empty() ? "" : " ") + study.choice};
   if (sparser) pictures.synthesised.push_back({"From every other key view", &sparser->image});
   study.pictures = add_pictures(result, pictures, columns, threads);
 }
 
 }  // namespace
+
+std::string elsewhere_text(const AppearanceStudy& study) {
+  if (!study.overview.fading) return "";
+  return fmt::format(
+      "In the image's middle row, which was not chosen by its error, the error between key views is more "
+      "than "
+      "{:g} times that at them at {} of the places.",
+      kFadingRatio, study.overview.fading->median > kFadingRatio ? "at least half" : "fewer than half");
+}
 
 AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laboratory,
                                  const AppearanceOptions& options) {
@@ -89,6 +146,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   const auto rendered = laboratory.truth(options.scene, view.position, kTruthPathFactor);
   const SceneImage& truth = rendered.colour;
   const int row = choose_part(study.place, truth, options);
+  study.choice = choice_text(study.place, options);
   const PixelBox& box = study.place.box;
   study.rms_disagreement = std::sqrt(mean_inside(study.place.effect, box));
   study.error_concentration =
@@ -97,11 +155,20 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   const std::string what = laboratory.scene(options.scene).title + " from " + name_of(view.position);
   const Columns columns{{"scene", options.scene}, {"position", name_of(view.position)}};
   add_views(result, study, field, truth, row, options, what, columns, threads);
+  if (options.at_borders) {
+    study.borders = border_errors(study.place, truth);
+    result.rows.add({"rms_beside_borders", study.borders->beside, "1", columns});
+    result.rows.add({"rms_elsewhere", study.borders->elsewhere, "1", columns});
+  }
+  std::optional<EpiPair> middle;
   if (options.with_epi) {
     const auto disparity_px = static_cast<double>(rendered.disparity.at(box.x + box.width / 2, row));
     study.epi = add_epi(result, record_epi(laboratory, options.scene, view.position, row), box,
                         crop_exposure(truth, box), disparity_px, what, columns);
+    middle = record_epi(laboratory, options.scene, view.position, truth.height() / 2);
   }
+  study.overview = overview_of(view, truth, box, middle ? &*middle : nullptr);
+  add_overview_rows(result.rows, study.overview, columns);
   result.rows.add({"rms_disagreement", study.rms_disagreement, "1", columns});
   result.rows.add({"error_concentration", study.error_concentration, "1", columns});
   return study;

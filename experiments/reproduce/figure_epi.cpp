@@ -120,23 +120,6 @@ ImageComparison enlarged_epi(const EpiPair& epi, const PixelBox& box, float expo
   return part;
 }
 
-EpiNumbers numbers_of(const EpiPair& epi, const PixelBox& box, float exposure,
-                      const std::vector<double>& errors) {
-  EpiNumbers numbers;
-  const double left = std::floor(epi.at_s), right = std::ceil(epi.at_s);
-  numbers.rms_at_keys = error_near(epi, errors, {left, right}, kNear);
-  numbers.rms_between = error_near(epi, errors, {(left + right) / 2}, kNear);
-  const auto is_left = [left](const CameraPosition& p) { return p.s == left && p.t == std::round(p.t); };
-  if (std::any_of(epi.positions.begin(), epi.positions.end(), is_left)) {
-    numbers.rms_noise = error_near(epi, errors, {left, right}, 0);
-    numbers.rms_between_without_noise = without_noise(numbers.rms_between, *numbers.rms_noise);
-  }
-  const double rms =
-      rms_difference(epi.synthesised, epi.truth, exposure, {box.x, 0, box.width, epi.truth.height()});
-  numbers.psnr_db = psnr_db(1, rms * rms);
-  return numbers;
-}
-
 }  // namespace
 
 bool fades(const EpiNumbers& epi) {
@@ -146,15 +129,13 @@ bool fades(const EpiNumbers& epi) {
 std::string fading_text(const EpiNumbers& epi) {
   std::string text = fmt::format(
       "Along the camera motion the error of these columns is {:.3f} (encoded RMS) within a tenth of the "
-      "spacing "
-      "from the columns of key views and {:.3f} around the middle between them",
+      "spacing from the columns of key views and {:.3f} around the middle between them",
       epi.rms_at_keys, epi.rms_between);
   if (epi.rms_at_keys > 0) text += fmt::format(", {:.1f} times as much", epi.rms_between / epi.rms_at_keys);
   if (epi.rms_noise)
     text += fmt::format(
         ". At the key views exactly it is {:.3f}: the synthesis is the key view itself there, so this is "
-        "path "
-        "tracing noise. Without the noise expected in the middle {:.3f} remain there",
+        "path tracing noise. Without the noise expected in the middle {:.3f} remain there",
         *epi.rms_noise, *epi.rms_between_without_noise);
   return text + ".";
 }
@@ -191,6 +172,23 @@ EpiPair record_epi(Laboratory& laboratory, const std::string& scene, CameraPosit
   return result;
 }
 
+EpiNumbers measure_epi(const EpiPair& epi, const PixelBox& box, float exposure) {
+  const std::vector<double> errors = errors_of_frames(epi, box, exposure);
+  EpiNumbers numbers;
+  const double left = std::floor(epi.at_s), right = std::ceil(epi.at_s);
+  numbers.rms_at_keys = error_near(epi, errors, {left, right}, kNear);
+  numbers.rms_between = error_near(epi, errors, {(left + right) / 2}, kNear);
+  const auto is_left = [left](const CameraPosition& p) { return p.s == left && p.t == std::round(p.t); };
+  if (std::any_of(epi.positions.begin(), epi.positions.end(), is_left)) {
+    numbers.rms_noise = error_near(epi, errors, {left, right}, 0);
+    numbers.rms_between_without_noise = without_noise(numbers.rms_between, *numbers.rms_noise);
+  }
+  const double rms =
+      rms_difference(epi.synthesised, epi.truth, exposure, {box.x, 0, box.width, epi.truth.height()});
+  numbers.psnr_db = psnr_db(1, rms * rms);
+  return numbers;
+}
+
 EpiNumbers add_epi(ReproductionResult& result, const EpiPair& epi, const PixelBox& box, float exposure,
                    double disparity_px, const std::string& what, const Columns& columns) {
   const std::string motion =
@@ -198,9 +196,8 @@ EpiNumbers add_epi(ReproductionResult& result, const EpiPair& epi, const PixelBo
                   epi.truth.height(), epi.positions.front().s, epi.positions.back().s);
   result.add_comparison("epi", whole_epi(epi, box, exposure, motion), {epi.truth, epi.synthesised});
   result.add_comparison("epi-crop", enlarged_epi(epi, box, exposure, disparity_px, motion));
-  const std::vector<double> errors = errors_of_frames(epi, box, exposure);
-  result.add_plot("epi-error", error_plot(epi, errors));
-  const EpiNumbers numbers = numbers_of(epi, box, exposure, errors);
+  result.add_plot("epi-error", error_plot(epi, errors_of_frames(epi, box, exposure)));
+  const EpiNumbers numbers = measure_epi(epi, box, exposure);
   result.rows.add({"epi_psnr_gamma_db", numbers.psnr_db, "dB", columns});
   result.rows.add({"epi_rms_at_keys", numbers.rms_at_keys, "1", columns});
   result.rows.add({"epi_rms_between", numbers.rms_between, "1", columns});

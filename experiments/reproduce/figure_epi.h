@@ -58,6 +58,9 @@ std::string fading_text(const EpiNumbers& epi);
 /// further: what remains is a lower bound.
 double without_noise(double rms_between, double rms_noise);
 
+/// The numbers of the columns of a box.
+EpiNumbers measure_epi(const EpiPair& epi, const PixelBox& box, float exposure);
+
 /// Adds the epipolar images (truth, synthesis, difference; the frame of the view marked green, what is
 /// enlarged red), the columns of the box enlarged, and the error of these columns over the camera position
 /// as a plot. A line over the enlarged images shows the slope expected of a surface of `disparity_px` through
