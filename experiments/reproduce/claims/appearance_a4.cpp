@@ -210,6 +210,36 @@ LedgerEntry cellar_entry(const CellarResult& cellar) {
   return entry;
 }
 
+void add_rows(ResultTable& rows, const CutResult& cut, const CellarResult& cellar) {
+  for (const auto& [step, scene] : {std::pair{cut.with_dust, "dust"}, {cut.without, "clear"}})
+    if (step) rows.add({"rms_step_along_borders", step->estimate, "1", {{"scene", std::string(scene)}}});
+  for (const bool medium : {false, true}) {
+    const std::vector<std::pair<std::string, Cell>> columns{
+        {"scene", std::string(medium ? "cellar-shafts" : "cellar")}};
+    rows.add({"rms_error_of_blocks", medium ? cellar.error_with : cellar.error_without, "1", columns});
+    rows.add(
+        {"excess_step_along_borders", medium ? cellar.border_with : cellar.border_without, "1", columns});
+  }
+}
+
+void describe(ReproductionResult& result, const PuffResult& puffs, const CutResult& cut,
+              const CellarResult& cellar) {
+  result.paper_shows =
+      "Section 6.1.2, figure 34: the medium's light is attributed to the surface behind it, so up to four "
+      "copies of a light shaft fade in and out during camera motion. Section 4.2.1 expects steps where the "
+      "set of key views that see a surface changes.";
+  result.ours_shows = fmt::format(
+      "A puff of sunlit dust is shown as {} bright spots on average ({} at most; {:.2f} in the truth). "
+      "Beside a post the error steps by {} (RMS) along borders of visibility, {} without dust. In the Cellar "
+      "the error of 8 × 8 block means is {:.4f} with the medium and {:.4f} without (ratio {}).",
+      text_of(puffs.copies), puffs.most, puffs.truth_spots, text_of(cut.with_dust), text_of(cut.without),
+      cellar.error_with, cellar.error_without, text_of(cellar.ratio));
+  result.differs = fmt::format(
+      "The thesis shows one example by eye. Along borders of visibility in the Cellar the mean step of the "
+      "error exceeds that elsewhere by {:.4f} with and {:.4f} without the medium.",
+      cellar.border_with, cellar.border_without);
+}
+
 }  // namespace
 
 ReproductionResult reproduce_claim_a4(Laboratory& laboratory) {
@@ -225,38 +255,10 @@ ReproductionResult reproduce_claim_a4(Laboratory& laboratory) {
   add_twin_comparison(result, "column", cut.example,
                       "A column of dust beside a post, from the middle of the cell");
   const CellarResult cellar = measure_cellar(laboratory, result);
-  for (const auto& [step, scene] : {std::pair{cut.with_dust, "dust"}, {cut.without, "clear"}})
-    if (step)
-      result.rows.add({"rms_step_along_borders", step->estimate, "1", {{"scene", std::string(scene)}}});
-  for (const bool medium : {false, true}) {
-    const std::vector<std::pair<std::string, Cell>> columns{
-        {"scene", std::string(medium ? "cellar-shafts" : "cellar")}};
-    result.rows.add({"rms_error_of_blocks", medium ? cellar.error_with : cellar.error_without, "1", columns});
-    result.rows.add(
-        {"excess_step_along_borders", medium ? cellar.border_with : cellar.border_without, "1", columns});
-  }
+  add_rows(result.rows, cut, cellar);
   result.ledger = {copies_entry(puffs), cut_entry(cut), cellar_entry(cellar)};
   add_ledger_rows(result.rows, result.ledger);
-  result.paper_shows =
-      "Section 6.1.2, figure 34: the medium's light is attributed to the surface behind it, so up to four "
-      "copies "
-      "of a light shaft fade in and out during camera motion. Section 4.2.1 expects steps where the set of "
-      "key "
-      "views that see a surface changes.";
-  result.ours_shows = fmt::format(
-      "A puff of sunlit dust is shown as {} bright spots on average ({} at most; {:.2f} in the truth). "
-      "Beside "
-      "a post the "
-      "error steps by {} (RMS) along borders of visibility, {} without dust. In the Cellar the error of 8 × "
-      "8 "
-      "block means is {:.4f} with the medium and {:.4f} without (ratio {}).",
-      text_of(puffs.copies), puffs.most, puffs.truth_spots, text_of(cut.with_dust), text_of(cut.without),
-      cellar.error_with, cellar.error_without, text_of(cellar.ratio));
-  result.differs = fmt::format(
-      "The thesis shows one example by eye. Along borders of visibility in the Cellar the mean step of the "
-      "error "
-      "exceeds that elsewhere by {:.4f} with and {:.4f} without the medium.",
-      cellar.border_with, cellar.border_without);
+  describe(result, puffs, cut, cellar);
   return result;
 }
 

@@ -13,12 +13,12 @@ ReproductionResult reproduce_claim_a5(Laboratory& laboratory);
 namespace {
 
 // Copy strength is 0.5 for copies that stand side by side and 0 for none; half of the ideal strength or more
-// counts as plain copies on a mirror. Whether copies are hidden is decided on the bright spots counted for
-// each lamp: copy strength cannot tell copies from the blur that copies merge into, spots can. On average
-// fewer than 1.5 spots are left where most lamps show a single one; on the mirror there must be more than
-// that to begin with.
+// counts as plain copies on a mirror. Whether copies are hidden is decided lamp by lamp on bright spots: copy
+// strength cannot tell copies from the blur that copies merge into, spots can. A lamp's copies are hidden if
+// the view shows no more spots than the truth does by the same count. The claim speaks of reflections in
+// general, so it is held to most of them, which is more than half: no number of this run is in the threshold.
 constexpr double kPlainCopies = 0.25;
-constexpr double kHiddenSpots = 1.5;
+constexpr double kMost = 0.5;
 
 // Root mean square slope of the ripples in each direction: that of the Boats scene's water, four octaves of
 // gradient noise (root mean square 0.28) with amplitudes from 0.034 down, 0.72 from one to the next.
@@ -31,7 +31,8 @@ constexpr std::size_t kSparse = 0, kDense = 2;
 
 struct Setting {
   double ripple_slope = 0, spacing_m = 0;
-  std::optional<Interval> strength, spots;  ///< empty if fewer than two reflections can be counted
+  std::optional<Interval> strength, spots,
+      with_copies;  ///< empty if fewer than two reflections can be counted
   Interval error;
   double truth_spots = 0;
   std::size_t lamps = 0;
@@ -51,6 +52,7 @@ Setting measure_setting(Laboratory& laboratory, double ripple_slope, double divi
     setting.displacement_px += lamp.displacement_px / static_cast<double>(lamps.size());
   setting.strength = mean_strength(lamps, seed);
   setting.spots = mean_spots(lamps, seed);
+  setting.with_copies = share_with_copies(lamps);
   setting.truth_spots = mean_truth_spots(lamps);
   setting.error = root_mean_interval(tile_errors(views), seed);
   setting.middle = std::move(views.front());
@@ -86,14 +88,14 @@ ReportPlot strength_plot(const Surface& flat, const Surface& rippled) {
 
 ReportTable cause_table(const Surface& flat, const Surface& rippled) {
   ReportTable table{"Each cause alone and both together",
-                    {"surface", "spacing [m]", "copy strength", "spots per lamp", "in the truth", "RMS error",
-                     "reflections"},
+                    {"surface", "spacing [m]", "copy strength", "spots per lamp", "in the truth",
+                     "lamps with copies", "RMS error", "reflections"},
                     {},
                     3};
   for (const Surface* surface : {&flat, &rippled})
     for (const Setting& s : surface->settings)
       table.rows.push_back({surface_of(s), s.spacing_m, text_of(s.strength), text_of(s.spots), s.truth_spots,
-                            s.error.estimate, static_cast<long long>(s.lamps)});
+                            text_of(s.with_copies), s.error.estimate, static_cast<long long>(s.lamps)});
   return table;
 }
 
@@ -103,6 +105,7 @@ void add_rows(ResultTable& rows, const Surface& surface) {
                                                             {"spacing_m", s.spacing_m}};
     if (s.strength) rows.add({"copy_strength", s.strength->estimate, "1", columns});
     if (s.spots) rows.add({"spots_per_reflection", s.spots->estimate, "1", columns});
+    if (s.with_copies) rows.add({"share_with_copies", s.with_copies->estimate, "1", columns});
     rows.add({"spots_per_reflection_in_truth", s.truth_spots, "1", columns});
     rows.add({"rms_error_without_noise", s.error.estimate, "1", columns});
     rows.add({"reflections_counted", static_cast<double>(s.lamps), "1", columns});
@@ -128,36 +131,37 @@ LedgerEntry walls_entry(const Setting& flat) {
 
 LedgerEntry water_entry(const Setting& flat, const Setting& water) {
   LedgerEntry entry{{"A-A5b", "Altmeier 2018, section 6.1.2, figure 36",
-                     "Small distortions of the water and a denser grid together hide the copies."},
+                     "Small distortions of the water and a denser grid together hide the copies of most "
+                     "reflections."},
                     {}};
-  if (!flat.spots || !water.spots) {
+  if (!flat.with_copies || !water.with_copies) {
     entry.verdict = undecidable("Fewer than two reflections of lamps are large enough to be counted.");
     return entry;
   }
-  if (!(flat.spots->low > kHiddenSpots)) {
-    entry.verdict = undecidable("The flat mirror shows no separate copies that could be hidden.");
+  if (!(flat.with_copies->low > kMost)) {
+    entry.verdict = undecidable("The flat mirror does not show copies of most lamps that could be hidden.");
     return entry;
   }
-  entry.verdict = decide_claim(*water.spots, Comparison::kBelow, kHiddenSpots, "spots_per_reflection", "1",
-                               fmt::format("95 % bootstrap over {} reflections in 2 views", water.lamps));
+  entry.verdict =
+      decide_claim(*water.with_copies, Comparison::kBelow, kMost, "share_with_copies", "1",
+                   fmt::format("95 % Wilson interval over {} reflections in 2 views", water.lamps));
   entry.verdict.scenes = {"floor probe, mirror", "floor probe, rippled mirror"};
   entry.verdict.explanation = fmt::format(
-      "Bright spots for each reflected lamp on rippled water at {:g} m spacing ({:.2f} in the truth by the "
-      "same count), where a flat mirror at {:g} m shows {}. Below {:g} most lamps show a single spot: what "
-      "is "
-      "left of the copies has merged.",
-      water.spacing_m, water.truth_spots, flat.spacing_m, text_of(*flat.spots), kHiddenSpots);
+      "Share of reflected lamps of which the synthesised view shows more bright spots than the truth by the "
+      "same count, on rippled water at {:g} m spacing; on a flat mirror at {:g} m it is {}. Most is taken "
+      "literally: more than half. Mean number of spots: {}, {:.2f} in the truth.",
+      water.spacing_m, flat.spacing_m, text_of(*flat.with_copies), text_of(water.spots), water.truth_spots);
   return entry;
 }
 
-/// What each cause leaves, in spots and in copy strength.
+/// What each cause leaves: lamps with copies, spots and copy strength.
 std::string causes_sentence(const Surface& flat, const Surface& rippled) {
   std::string text;
   for (const Surface* surface : {&flat, &rippled})
     for (const Setting& s : surface->settings)
-      text += fmt::format("{}{} at {:g} m: {} and {}", text.empty() ? "" : "; ", surface_of(s), s.spacing_m,
-                          text_of(s.spots), text_of(s.strength));
-  return "Separate spots for each lamp, and copy strength: " + text + ".";
+      text += fmt::format("{}{} at {:g} m: {}, {} and {}", text.empty() ? "" : "; ", surface_of(s),
+                          s.spacing_m, text_of(s.with_copies), text_of(s.spots), text_of(s.strength));
+  return "Share of lamps with copies, separate spots for each lamp, and copy strength: " + text + ".";
 }
 
 /// What the numbers say about the causes.
@@ -166,9 +170,10 @@ std::string difference_sentence(const Surface& flat, const Surface& rippled) {
                 &ripples = rippled.settings[kSparse];
   std::string text =
       "The thesis compares two scenes that differ in everything; here one cause changes at a time. ";
-  const auto hides = [](const Setting& s) { return s.spots && s.spots->high < kHiddenSpots; };
+  const auto hides = [](const Setting& s) { return s.with_copies && s.with_copies->high < kMost; };
   text += fmt::format(
-      "Ripples alone {} the copies, the denser grid alone {} them. Copy strength also counts the blur that "
+      "Ripples alone {} the copies of most lamps, the denser grid alone {} them. Copy strength also counts "
+      "the blur that "
       "copies merge into: at {:g} m they stand {:.1f} px apart. ",
       hides(ripples) ? "hide" : "do not hide", hides(dense) ? "hides" : "does not hide", dense.spacing_m,
       dense.displacement_px);

@@ -236,6 +236,42 @@ void add_example(ReproductionResult& result, const Stimulus& stimulus, int threa
   result.add_comparison("weights", std::move(comparison));
 }
 
+/// The distances that the claim is held to: all, and those on either side of δ_bo.
+struct Ranges {
+  double delta = SynthesisOptions{}.border_delta;
+  double end = std::nextafter(kMostDistance, 1.0);
+  Range near{0, end}, beyond{delta, end}, within{0, delta};
+};
+
+std::vector<LedgerEntry> entries(const KindResult& printed, const KindResult& linear, const Ranges& ranges) {
+  return {edge_entry(linear, Comparison::kAbove, ranges.near, "A-A6a",
+                     "Linear border gradients leave visible edges near key views."),
+          edge_entry(printed, Comparison::kBelow, ranges.beyond, "A-A6b",
+                     fmt::format("The printed border weights leave no visible edges near key views, but not "
+                                 "nearer than δ_bo = {:g} spacings.",
+                                 ranges.delta)),
+          edge_entry(printed, Comparison::kBelow, ranges.within, "A-A6c",
+                     fmt::format("The printed border weights leave no visible edges nearer to key views than "
+                                 "δ_bo = {:g} spacings.",
+                                 ranges.delta))};
+}
+
+std::string steps_sentence(const KindResult& printed, const KindResult& linear, const KindResult& none,
+                           const Ranges& ranges) {
+  const auto largest = [](const KindResult& kind, Range range) {
+    const Extreme most = extreme_in(kind, range, true);
+    return fmt::format("{} (at {:g})", text_of(most.step), most.distance);
+  };
+  return fmt::format(
+      "From {:g} to {:g} spacings from key views the largest step between neighbouring pixels is, of the key "
+      "views' difference, {} with linear gradients, {} with the printed weights and {} without any; nearer "
+      "than that {}, {} and {}. When the camera crosses a column of key views by 0.01 spacings, a pixel "
+      "changes by up to {:.2f}, {:.2f} and {:.2f} of it.",
+      ranges.delta, kMostDistance, largest(linear, ranges.beyond), largest(printed, ranges.beyond),
+      largest(none, ranges.beyond), largest(linear, ranges.within), largest(printed, ranges.within),
+      largest(none, ranges.within), linear.crossing, printed.crossing, none.crossing);
+}
+
 }  // namespace
 
 ReproductionResult reproduce_claim_a6(Laboratory& laboratory) {
@@ -248,43 +284,20 @@ ReproductionResult reproduce_claim_a6(Laboratory& laboratory) {
     add_rows(result.rows, kinds.back());
   }
   const KindResult &printed = kinds[0], &linear = kinds[1], &none = kinds[2];
-  const double delta = SynthesisOptions{}.border_delta;
-  const double end = std::nextafter(kMostDistance, 1.0);
-  const Range near{0, end}, beyond{delta, end}, within{0, delta};
-  result.ledger = {
-      edge_entry(linear, Comparison::kAbove, near, "A-A6a",
-                 "Linear border gradients leave visible edges near key views."),
-      edge_entry(printed, Comparison::kBelow, beyond, "A-A6b",
-                 fmt::format("The printed border weights leave no visible edges near key views, but not "
-                             "nearer than δ_bo = {:g} spacings.",
-                             delta)),
-      edge_entry(printed, Comparison::kBelow, within, "A-A6c",
-                 fmt::format("The printed border weights leave no visible edges nearer to key views than "
-                             "δ_bo = {:g} spacings.",
-                             delta))};
+  const Ranges ranges;
+  result.ledger = entries(printed, linear, ranges);
   add_ledger_rows(result.rows, result.ledger);
   result.paper_shows =
       "Section 4.2.1: with linear gradients bilinear weights dominate near key views and leave visible "
-      "edges; "
-      "the printed combination was chosen by experiment to make the transition gradual, at the cost of fast "
-      "changes under camera motion. No figures.";
-  const auto largest = [](const KindResult& kind, Range range) {
-    const Extreme most = extreme_in(kind, range, true);
-    return fmt::format("{} (at {:g})", text_of(most.step), most.distance);
-  };
-  result.ours_shows = fmt::format(
-      "From {:g} to {:g} spacings from key views the largest step between neighbouring pixels is, of the key "
-      "views' difference, {} with linear gradients, {} with the printed weights and {} without any; nearer "
-      "than that {}, {} and {}. When the camera crosses a column of key views by 0.01 spacings, a pixel "
-      "changes by up to {:.2f}, {:.2f} and {:.2f} of it.",
-      delta, kMostDistance, largest(linear, beyond), largest(printed, beyond), largest(none, beyond),
-      largest(linear, within), largest(printed, within), largest(none, within), linear.crossing,
-      printed.crossing, none.crossing);
+      "edges; the printed combination was chosen by experiment to make the transition gradual, at the cost "
+      "of fast changes under camera motion. No figures.";
+  result.ours_shows = steps_sentence(printed, linear, none, ranges);
   result.differs = fmt::format(
       "The thesis sets δ_bo so that a view on a key view is that key view. Nearer than δ_bo = {:g} spacings "
       "the printed weights {}.",
-      delta,
-      extreme_in(printed, within, true).step.low > kEdgeStep ? "leave edges, too" : "leave no clear edges");
+      ranges.delta,
+      extreme_in(printed, ranges.within, true).step.low > kEdgeStep ? "leave edges, too"
+                                                                    : "leave no clear edges");
   result.add_plot("largest-step", step_plot(kinds));
   add_example(result, all[kColourings], options.threads);
   return result;

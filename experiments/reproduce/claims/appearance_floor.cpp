@@ -1,5 +1,6 @@
 #include "experiments/reproduce/claims/appearance_floor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace plenolab {
@@ -77,6 +78,13 @@ std::optional<Interval> mean_strength(std::span<const LampCopies> lamps, std::ui
   std::vector<double> values;
   for (const LampCopies& lamp : lamps) values.push_back(lamp.strength);
   return mean_interval(values, seed);
+}
+
+std::optional<Interval> share_with_copies(std::span<const LampCopies> lamps) {
+  if (lamps.size() < 2) return std::nullopt;
+  const auto with =
+      std::count_if(lamps.begin(), lamps.end(), [](const LampCopies& lamp) { return lamp.has_copies(); });
+  return share_interval(static_cast<std::size_t>(with), lamps.size());
 }
 
 double mean_truth_spots(std::span<const LampCopies> lamps) {

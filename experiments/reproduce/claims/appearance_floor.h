@@ -25,6 +25,8 @@ struct LampCopies {
   /// key views, less that of the truth: 0 = no copies, 0.5 = copies side by side.
   double strength = 0;
   double displacement_px = 0;  ///< between copies
+  /// Whether the view shows more spots than the truth by the same count.
+  bool has_copies() const { return spots > truth_spots; }
 };
 
 /// Lamps whose reflection is to be seen: it rises by more than 0.08 above its surroundings in the truth (so
@@ -37,6 +39,8 @@ std::vector<LampCopies> copies_of_lamps(std::span<const TwinView> views, const S
 /// Mean of a member over lamps with its 95 % bootstrap interval; empty for fewer than two lamps.
 std::optional<Interval> mean_spots(std::span<const LampCopies> lamps, std::uint64_t seed);
 std::optional<Interval> mean_strength(std::span<const LampCopies> lamps, std::uint64_t seed);
+/// Share of lamps that have copies with its Wilson interval; empty for fewer than two lamps.
+std::optional<Interval> share_with_copies(std::span<const LampCopies> lamps);
 /// Spots that the truth shows for each lamp by the same count; 0 for no lamps.
 double mean_truth_spots(std::span<const LampCopies> lamps);
 

@@ -19,4 +19,12 @@ std::optional<Interval> mean_interval(std::span<const double> values, std::uint6
 Interval bootstrap_units(std::size_t units, const std::function<double(std::span<const double>)>& statistic,
                          std::uint64_t seed, int block_length = 1);
 
+/// 97.5 % point of the normal distribution: intervals of 95 %.
+inline constexpr double kNormal95 = 1.959964;
+/// 1 − 0.05/8: intervals that all four of four shares lie in with 95 % at least (Bonferroni).
+inline constexpr double kNormal95OfFour = 2.497705;
+
+/// Wilson score interval of a share (Wilson 1927): has a width also for 0 of n and n of n. n ≥ 1.
+Interval share_interval(std::size_t hits, std::size_t trials, double normal_point = kNormal95);
+
 }  // namespace plenolab

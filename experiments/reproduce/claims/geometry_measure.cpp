@@ -33,39 +33,6 @@ Mask where_zero(const Plane<std::uint8_t>& visible_views) {
   return mask;
 }
 
-std::vector<std::vector<std::size_t>> regions_of(const Mask& mask) {
-  Mask open = mask;
-  const int width = mask.width(), height = mask.height();
-  std::vector<std::vector<std::size_t>> regions;
-  for (std::size_t start = 0; start < open.size(); ++start) {
-    if (open.pixels()[start] == 0) continue;
-    open.pixels()[start] = 0;
-    std::vector<std::size_t> region{start};
-    for (std::size_t next = 0; next < region.size(); ++next) {
-      const int x = static_cast<int>(region[next]) % width, y = static_cast<int>(region[next]) / width;
-      for (int j = std::max(0, y - 1); j <= std::min(height - 1, y + 1); ++j)
-        for (int i = std::max(0, x - 1); i <= std::min(width - 1, x + 1); ++i) {
-          if (open.at(i, j) == 0) continue;
-          open.at(i, j) = 0;
-          region.push_back(static_cast<std::size_t>(j) * static_cast<std::size_t>(width) +
-                           static_cast<std::size_t>(i));
-        }
-    }
-    regions.push_back(std::move(region));
-  }
-  return regions;
-}
-
-Interval share_interval(std::size_t hits, std::size_t trials) {
-  PLENOLAB_CHECK(trials > 0 && hits <= trials, fmt::format("{} of {}", hits, trials));
-  constexpr double z = 1.959964;  // 97.5 % point of the normal distribution
-  const double n = static_cast<double>(trials), p = static_cast<double>(hits) / n;
-  const double centre = (p + z * z / (2 * n)) / (1 + z * z / n);
-  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-  // The ends at 0 and n hits are exactly 0 and 1; rounding must not leave the estimate outside.
-  return {p, hits == 0 ? 0 : centre - half, hits == trials ? 1 : centre + half};
-}
-
 Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure) {
   const DisplayImage a = expose(test, exposure), b = expose(truth, exposure);
   Plane<float> error(a.width(), a.height());

@@ -21,12 +21,6 @@ Mask beyond_rim(const Mask& mask, int block_px = 3);
 /// 1 where no key view sees the surface before restoration (red in the visibility map).
 Mask where_zero(const Plane<std::uint8_t>& visible_views);
 
-/// Regions of set pixels that touch by sides or corners, as pixel indices y·width + x.
-std::vector<std::vector<std::size_t>> regions_of(const Mask& mask);
-
-/// 95 % Wilson score interval of a share (Wilson 1927): has a width also for 0 of n and n of n. n ≥ 1.
-Interval share_interval(std::size_t hits, std::size_t trials);
-
 /// Mean over the channels of the squared difference of clamp(exposure·C, 0, 1)^(1/2.2), pixel by pixel.
 Plane<float> squared_error(const SceneImage& test, const SceneImage& truth, float exposure);
 

@@ -49,10 +49,8 @@ std::string causes_text(const UnseenCauses& causes) {
   const double percent = 100 / causes.all();
   return fmt::format(
       "Of the unseen pixels {:.0f} % are truly hidden from all four key views; {:.0f} % are shown by a key "
-      "view, but the "
-      "path of the search meets the occluder's image before and ends there, though the ray passes behind it; "
-      "{:.0f} % lie "
-      "beside edges, where rule 2 discards what the key views show.",
+      "view, but the path of the search meets the occluder's image before and ends there, though the ray "
+      "passes behind it; {:.0f} % lie beside edges, where rule 2 discards what the key views show.",
       percent * causes.hidden, percent * causes.behind, percent * causes.beside);
 }
 
@@ -60,9 +58,8 @@ void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& stu
                const std::string& set) {
   for (const OccluderStudy& study : studies) {
     const auto n = study.outcomes.size();
-    const std::vector<std::pair<std::string, Cell>> columns{{"occluders", set},
-                                                            {"kind", std::string(name_of(study.kind))},
-                                                            {"placements", static_cast<long long>(n)}};
+    const std::vector<std::pair<std::string, Cell>> columns{
+        {"occluders", set}, {"kind", study.name}, {"placements", static_cast<long long>(n)}};
     for (const auto& [quantity, outcome] :
          {std::pair{"unseen_placement_share", &OccluderOutcome::unseen},
           {"hidden_placement_share", &OccluderOutcome::hidden},
@@ -78,21 +75,38 @@ void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& stu
   }
 }
 
+void add_geometry_study(ReproductionResult& result, const std::vector<OccluderStudy>& geometry,
+                        const std::string& set) {
+  for (const OccluderStudy& study : geometry)
+    result.rows.add({"hidden_placement_share",
+                     share_of(study, &OccluderOutcome::hidden),
+                     "1",
+                     {{"occluders", set + ", geometry alone"},
+                      {"kind", study.name},
+                      {"placements", static_cast<long long>(study.outcomes.size())}}});
+}
+
 ReportPlot plot_of(const std::vector<OccluderStudy>& studies, std::string caption) {
+  return plot_of(studies, studies, std::move(caption));
+}
+
+ReportPlot plot_of(const std::vector<OccluderStudy>& studies, const std::vector<OccluderStudy>& geometry,
+                   std::string caption) {
   Plot plot;
   plot.x.title = "Occluder";
   plot.y = {.title = "Placements that leave unseen background", .unit = "%", .minimum = 0, .maximum = 100};
   plot.key = KeyPosition::kOutside;
   plot.series = {{.title = "synthesis", .points = {}}, {.title = "geometry alone", .points = {}}};
-  for (const OccluderStudy& study : studies) {
-    plot.categories.emplace_back(name_of(study.kind));
-    plot.series[0].points.push_back(bar(share_interval(study.unseen(), study.outcomes.size())));
-    plot.series[1].points.push_back(bar(share_interval(study.hidden(), study.outcomes.size())));
-  }
   std::string alt = "Bars by kind of occluder, synthesis and geometry:";
-  for (const OccluderStudy& study : studies)
-    alt += fmt::format(" {} {} and {} of {};", name_of(study.kind), study.unseen(), study.hidden(),
-                       study.outcomes.size());
+  for (std::size_t i = 0; i < studies.size(); ++i) {
+    const Interval unseen = share_interval(studies[i].unseen(), studies[i].outcomes.size());
+    const Interval hidden = share_interval(geometry[i].hidden(), geometry[i].outcomes.size());
+    plot.categories.push_back(studies[i].name);
+    plot.series[0].points.push_back(bar(unseen));
+    plot.series[1].points.push_back(bar(hidden));
+    alt += fmt::format(" {} {:.1f} and {:.1f} %;", studies[i].name, 100 * unseen.estimate,
+                       100 * hidden.estimate);
+  }
   return {plot, std::move(caption), alt};
 }
 
@@ -100,12 +114,12 @@ void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>
                     const std::string& name, int threads) {
   const OccluderPlacement* placement = nullptr;
   const OccluderOutcome* worst = nullptr;
-  ShapeKind kind = ShapeKind::kDisc;
+  std::string kind;
   for (const OccluderStudy& study : studies)
     for (std::size_t i = 0; i < study.outcomes.size(); ++i)
       if (worst == nullptr || study.outcomes[i].unseen_px.all() > worst->unseen_px.all())
-        worst = &study.outcomes[i], placement = &study.placements[i], kind = study.kind;
-  const FlatWorld world = world_of(*placement, true);
+        worst = &study.outcomes[i], placement = &study.placements[i], kind = study.name;
+  const FlatWorld world = world_of(*placement, Patterned::kEverything);
   const ViewGrid grid = occluder_grid();
   SynthesisOptions options;
   options.threads = threads;
@@ -117,9 +131,8 @@ void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>
       {fmt::format(
            "The placement with most unseen background ({:.0f} px beyond the rim, mean over the positions): "
            "{}, drawn with patterns, from ({:.2f}, {:.2f}) in the cell",
-           worst->unseen_px.all(), name_of(kind), worst->worst.s, worst->worst.t),
-       fmt::format("Truth, synthesised view and visibility map of a probe with the occluder {}",
-                   name_of(kind)),
+           worst->unseen_px.all(), kind, worst->worst.s, worst->worst.t),
+       fmt::format("Truth, synthesised view and visibility map of a probe with the occluder {}", kind),
        {{"Ground truth", expose(truth, exposure)},
         {"Synthesised", expose(view.image, exposure)},
         {"Visibility", visibility_map(view)}}},

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
+#include "core/base/parallel.h"
 #include "core/synthesis/synthesizer.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
 #include "experiments/reproduce/figure_tools.h"
@@ -16,15 +18,6 @@ namespace plenolab {
 namespace {
 
 constexpr int kPositions = 5;
-
-/// The cell's centre and random points of the cell, not nearer than a tenth to its sides.
-std::vector<CameraPosition> positions_in_cell(std::uint64_t seed) {
-  std::vector<CameraPosition> positions{{0.5, 0.5}};
-  RandomStream random(seed, 0x6f63636cu, 0);
-  while (positions.size() < kPositions)
-    positions.push_back({uniform(random, 0.1, 0.9), uniform(random, 0.1, 0.9)});
-  return positions;
-}
 
 bool is_in_image(const ViewGrid& grid, double x, double y) {
   return x >= 0 && y >= 0 && x <= grid.width && y <= grid.height;
@@ -37,7 +30,7 @@ const FlatSurface* surface_at(const FlatWorld& world, CameraPosition position, d
     if (nearest != nullptr && nearest->disparity_px >= surface.disparity_px) continue;
     const double qx = x + (position.s - world.origin.s) * surface.disparity_px;
     const double qy = y + (position.t - world.origin.t) * surface.disparity_px;
-    if (!surface.covers || surface.covers(qx, qy)) nearest = &surface;
+    if (surface.is_at(qx, qy)) nearest = &surface;
   }
   return nearest;
 }
@@ -84,7 +77,23 @@ UnseenCauses causes_of(const Mask& unseen, const FlatWorld& world, const ViewGri
   return causes;
 }
 
+/// Adds what geometry hides from one position.
+void add_geometry(OccluderOutcome& outcome, const Mask& all_hidden) {
+  const auto hidden = static_cast<double>(count_set(beyond_rim(all_hidden)));
+  outcome.geometry_px += hidden / kPositions;
+  outcome.hidden = outcome.hidden || hidden > 0;
+  outcome.hidden_2x2 = outcome.hidden_2x2 || count_set(beyond_rim(all_hidden, 2)) > 0;
+}
+
 }  // namespace
+
+std::vector<CameraPosition> positions_in_cell(std::uint64_t seed) {
+  std::vector<CameraPosition> positions{{0.5, 0.5}};
+  RandomStream random(seed, 0x6f63636cu, 0);
+  while (positions.size() < kPositions)
+    positions.push_back({uniform(random, 0.1, 0.9), uniform(random, 0.1, 0.9)});
+  return positions;
+}
 
 Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position) {
   Mask hidden(grid.width, grid.height);
@@ -99,7 +108,7 @@ Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPositio
 }
 
 OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, int threads) {
-  const FlatWorld world = world_of(placement, false);
+  const FlatWorld world = world_of(placement, Patterned::kNothing);
   const ViewGrid grid = occluder_grid();
   const Synthesizer synthesizer(flat_light_field(world, grid, "occluder probe", threads));
   SynthesisOptions options;
@@ -108,19 +117,15 @@ OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, in
   double most = -1;
   for (const CameraPosition position : positions_in_cell(seed)) {
     const auto view = synthesizer.synthesize(position, options);
-    const Mask all_unseen = where_zero(view.visible_views),
-               all_hidden = hidden_from_all(world, grid, position);
+    const Mask all_unseen = where_zero(view.visible_views);
     const Mask unseen = beyond_rim(all_unseen);
     const UnseenCauses causes = causes_of(unseen, world, grid, position);
-    const auto hidden = static_cast<double>(count_set(beyond_rim(all_hidden)));
+    add_geometry(outcome, hidden_from_all(world, grid, position));
     outcome.unseen_px.hidden += causes.hidden / kPositions;
     outcome.unseen_px.behind += causes.behind / kPositions;
     outcome.unseen_px.beside += causes.beside / kPositions;
-    outcome.geometry_px += hidden / kPositions;
     outcome.unseen = outcome.unseen || causes.all() > 0;
-    outcome.hidden = outcome.hidden || hidden > 0;
     outcome.unseen_2x2 = outcome.unseen_2x2 || count_set(beyond_rim(all_unseen, 2)) > 0;
-    outcome.hidden_2x2 = outcome.hidden_2x2 || count_set(beyond_rim(all_hidden, 2)) > 0;
     if (causes.all() > most) most = causes.all(), outcome.worst = position;
   }
   return outcome;
@@ -135,25 +140,56 @@ std::size_t OccluderStudy::hidden() const {
       std::count_if(outcomes.begin(), outcomes.end(), [](const OccluderOutcome& o) { return o.hidden; }));
 }
 
-std::vector<OccluderStudy> study_occluders(Laboratory& laboratory, std::span<const ShapeKind> kinds,
-                                           Placing placing, int count, std::uint64_t purpose) {
+namespace {
+
+using Judging = std::function<OccluderOutcome(const OccluderPlacement& placement, std::uint64_t seed)>;
+
+std::vector<OccluderStudy> study(Laboratory& laboratory, std::span<const ShapeKind> kinds, Placing placing,
+                                 int count, std::uint64_t purpose, const Judging& judging) {
   std::vector<OccluderStudy> studies;
-  std::uint64_t index = 0;
-  for (const ShapeKind kind : kinds) {
-    OccluderStudy& study = studies.emplace_back();
-    study.kind = kind;
-    for (int i = 0; i < count; ++i, ++index) {
-      RandomStream random(laboratory.options().seed, purpose, index);
-      study.placements.push_back(placing(kind, random));
-      study.outcomes.push_back(
-          judge(study.placements.back(), random.next_u64(), laboratory.options().threads));
-    }
-  }
+  const auto per_kind = static_cast<std::size_t>(count);
+  for (const ShapeKind kind : kinds)
+    studies.push_back({.kind = kind,
+                       .name = name_of(kind),
+                       .placements = std::vector<OccluderPlacement>(per_kind),
+                       .outcomes = std::vector<OccluderOutcome>(per_kind)});
+  parallel_for(
+      count * static_cast<int>(kinds.size()), 1, laboratory.options().threads, [&](int begin, int end) {
+        for (auto index = static_cast<std::size_t>(begin); index < static_cast<std::size_t>(end); ++index) {
+          OccluderStudy& one = studies[index / per_kind];
+          RandomStream random(laboratory.options().seed, purpose, index);
+          one.placements[index % per_kind] = placing(one.kind, random);
+          one.outcomes[index % per_kind] = judging(one.placements[index % per_kind], random.next_u64());
+        }
+      });
   return studies;
 }
 
-int placements_per_kind(const Laboratory& laboratory) {
-  return laboratory.options().effort == Effort::kTiny ? 2 : 24;
+/// What geometry says about the placement; the rest of the outcome stays empty.
+OccluderOutcome judge_geometry(const OccluderPlacement& placement, std::uint64_t seed) {
+  const FlatWorld world = world_of(placement, Patterned::kNothing);
+  OccluderOutcome outcome;
+  for (const CameraPosition position : positions_in_cell(seed))
+    add_geometry(outcome, hidden_from_all(world, occluder_grid(), position));
+  return outcome;
+}
+
+}  // namespace
+
+std::vector<OccluderStudy> study_occluders(Laboratory& laboratory, std::span<const ShapeKind> kinds,
+                                           Placing placing, int count, std::uint64_t purpose) {
+  return study(
+      laboratory, kinds, placing, count, purpose,
+      [](const OccluderPlacement& placement, std::uint64_t seed) { return judge(placement, seed, 1); });
+}
+
+std::vector<OccluderStudy> study_geometry(Laboratory& laboratory, std::span<const ShapeKind> kinds,
+                                          Placing placing, int count, std::uint64_t purpose) {
+  return study(laboratory, kinds, placing, count, purpose, judge_geometry);
+}
+
+int placements_per_kind(const Laboratory& laboratory, int wanted) {
+  return laboratory.options().effort == Effort::kTiny ? 2 : wanted;
 }
 
 std::size_t unseen_of(const OccluderStudy& study, UnseenBy by) {

@@ -40,8 +40,15 @@ OccluderPlacement place_pair(ShapeKind kind, RandomStream& random);
 /// there. Of the bars, a beam along the border and longer than the image, as in figure 31.
 OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random);
 
-/// The placement as a world. `textured`: patterns instead of plain colours, for pictures.
-FlatWorld world_of(const OccluderPlacement& placement, bool textured);
+/// What of a world carries patterns; the rest is of plain colours.
+enum class Patterned { kNothing, kOccluders, kEverything };
+
+/// The placement as a world.
+FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned);
+
+/// Positions from which a placement is looked at: the cell's centre and four random points of the cell, not
+/// nearer than a tenth to its sides.
+std::vector<CameraPosition> positions_in_cell(std::uint64_t seed);
 
 /// 1 where the surface that a pixel's centre shows is hidden from, or outside the image of, all four corner
 /// views: geometry alone, without sampling or search.
@@ -70,6 +77,7 @@ OccluderOutcome judge(const OccluderPlacement& placement, std::uint64_t seed, in
 /// All placements of one kind.
 struct OccluderStudy {
   ShapeKind kind = ShapeKind::kDisc;
+  std::string name = {};  ///< of the kind, for rows and plots
   std::vector<OccluderPlacement> placements;
   std::vector<OccluderOutcome> outcomes;
   std::size_t unseen() const;  ///< placements that leave unseen background
@@ -79,16 +87,22 @@ struct OccluderStudy {
 /// How placements are drawn.
 using Placing = OccluderPlacement (*)(ShapeKind kind, RandomStream& random);
 
-/// `count` placements of each kind. `purpose` keeps the random numbers of claims apart.
+/// `count` placements of each kind, judged side by side on the laboratory's threads. `purpose` keeps the
+/// random numbers of claims apart.
 std::vector<OccluderStudy> study_occluders(Laboratory& laboratory, std::span<const ShapeKind> kinds,
                                            Placing placing, int count, std::uint64_t purpose);
 
-/// Placements per kind in this run: 24, or 2 in a tiny one.
-int placements_per_kind(const Laboratory& laboratory);
+/// The same for geometry alone, without synthesis: of the outcomes only `hidden`, `hidden_2x2` and
+/// `geometry_px` mean anything. So much faster that rare cases can be counted.
+std::vector<OccluderStudy> study_geometry(Laboratory& laboratory, std::span<const ShapeKind> kinds,
+                                          Placing placing, int count, std::uint64_t purpose);
+
+/// Placements per kind in this run: `wanted`, or 2 in a tiny one.
+int placements_per_kind(const Laboratory& laboratory, int wanted);
 
 /// "Never" cannot be shown by sampling; "in less than one placement of twenty" can, with about a hundred of
-/// them: none of 96 gives a 95 % interval up to 3.8 %. Claims that occluders can cause unseen points are held
-/// to the same share.
+/// them (24 of each of four kinds): none of 96 gives a 95 % interval up to 3.8 %. Claims that occluders can
+/// cause unseen points are held to the same share.
 inline constexpr double kOftenShare = 0.05;
 
 /// What leaves the background unseen: synthesis (no key view contributes before restoration), or geometry
@@ -114,6 +128,11 @@ std::string causes_text(const UnseenCauses& causes);
 /// background by kind beside the share that geometry predicts.
 void add_study(ReproductionResult& result, const std::vector<OccluderStudy>& studies, const std::string& set);
 ReportPlot plot_of(const std::vector<OccluderStudy>& studies, std::string caption);
+/// Rows and plot with the numbers of geometry from a study of their own, kinds in the same order.
+void add_geometry_study(ReproductionResult& result, const std::vector<OccluderStudy>& geometry,
+                        const std::string& set);
+ReportPlot plot_of(const std::vector<OccluderStudy>& studies, const std::vector<OccluderStudy>& geometry,
+                   std::string caption);
 
 /// Truth, synthesised view and visibility map of the placement with most unseen background.
 void add_worst_case(ReproductionResult& result, const std::vector<OccluderStudy>& studies,

@@ -83,22 +83,25 @@ OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random) {
   return placement;
 }
 
-FlatWorld world_of(const OccluderPlacement& placement, bool textured) {
+FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned) {
   FlatWorld world;
   const auto plain = [](float v) { return [v](double, double) { return Rgb{v, v, v}; }; };
   for (std::size_t i = 0; i < placement.shapes.size(); ++i) {
     FlatSurface& surface = world.surfaces.emplace_back();
     surface.disparity_px = placement.disparities_px[i];
-    surface.covers = [shape = placement.shapes[i]](double x, double y) { return shape.covers(x, y); };
+    const Shape& shape = placement.shapes[i];
+    surface.covers = silhouette(shape);
+    surface.bounds = {shape.x - shape.radius_px, shape.x + shape.radius_px, shape.y - shape.radius_px,
+                      shape.y + shape.radius_px};
     const auto pattern = flat_pattern(5, static_cast<std::uint32_t>(i + 1));
-    if (textured)
+    if (patterned != Patterned::kNothing)
       surface.colour = [pattern](double x, double y) { return pattern(x, y) * Rgb{1, 0.55f, 0.2f}; };
     else
       surface.colour = plain(0.8f);
   }
   FlatSurface& background = world.surfaces.emplace_back();
   background.disparity_px = placement.background_px;
-  if (textured)
+  if (patterned == Patterned::kEverything)
     background.colour = flat_pattern(4, 11);
   else
     background.colour = plain(0.2f);

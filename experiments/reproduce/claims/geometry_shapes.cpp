@@ -84,22 +84,24 @@ const char* name_of(ShapeKind kind) {
   return "";
 }
 
-bool Shape::covers(double px, double py) const {
-  const double dx = (px - x) / radius_px, dy = (py - y) / radius_px;
-  if (dx * dx + dy * dy > 1) return false;
-  const double c = std::cos(angle), s = std::sin(angle);
-  return in_unit_shape(kind, c * dx + s * dy, c * dy - s * dx, opening);
+std::function<bool(double x, double y)> silhouette(const Shape& shape) {
+  return [shape, c = std::cos(shape.angle), s = std::sin(shape.angle)](double x, double y) {
+    const double dx = (x - shape.x) / shape.radius_px, dy = (y - shape.y) / shape.radius_px;
+    if (dx * dx + dy * dy > 1) return false;
+    return in_unit_shape(shape.kind, c * dx + s * dy, c * dy - s * dx, shape.opening);
+  };
 }
 
 double reach(const Shape& shape, double direction) {
   constexpr int kCells = 100;
+  const auto covers = silhouette(shape);
+  const double towards_x = std::cos(direction), towards_y = std::sin(direction);
   double far = 0;
   for (int j = 0; j <= kCells; ++j)
     for (int i = 0; i <= kCells; ++i) {
       const double dx = (2.0 * i / kCells - 1) * shape.radius_px,
                    dy = (2.0 * j / kCells - 1) * shape.radius_px;
-      if (shape.covers(shape.x + dx, shape.y + dy))
-        far = std::max(far, dx * std::cos(direction) + dy * std::sin(direction));
+      if (covers(shape.x + dx, shape.y + dy)) far = std::max(far, dx * towards_x + dy * towards_y);
     }
   return far;
 }

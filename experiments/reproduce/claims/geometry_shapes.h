@@ -25,8 +25,10 @@ struct Shape {
   double angle = 0;       ///< turned by, radians
   double opening =
       0.2;  ///< half the width of slit and gaps, and the radius of the hole, as share of the radius
-  bool covers(double px, double py) const;
 };
+
+/// Whether the shape covers a point.
+std::function<bool(double x, double y)> silhouette(const Shape& shape);
 
 /// How far the shape reaches from its centre in a direction (radians): its support function, to 2 % of the
 /// radius.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ namespace plenolab {
 /// Probe scenes are rendered (Laboratory::render): materials, lights and media, modelled from planes and
 /// boxes before a uniform sky, which converges with few paths.
 
+/// left ≤ x ≤ right and top ≤ y ≤ bottom, in image coordinates.
+struct FlatBounds {
+  double left = -std::numeric_limits<double>::infinity(), right = -left;
+  double top = left, bottom = right;
+};
+
 /// A surface parallel to the image.
 struct FlatSurface {
   double disparity_px = 0;  ///< ≥ 0; 0 = infinitely far
@@ -27,6 +34,13 @@ struct FlatSurface {
   /// Linear radiance at a point, ≥ 0. Features of 4 px or more are reproduced almost exactly by bilinear
   /// interpolation.
   std::function<Rgb(double x, double y)> colour;
+  /// Outside of it the surface covers nothing, and `covers` is not asked: saves time. Unbounded by default.
+  FlatBounds bounds = {};
+
+  bool is_at(double x, double y) const {
+    return x >= bounds.left && x <= bounds.right && y >= bounds.top && y <= bounds.bottom &&
+           (!covers || covers(x, y));
+  }
 };
 
 /// Surfaces in any order, the nearest in front. Where no surface is, radiance and disparity are 0.

@@ -34,7 +34,7 @@ KeyView<SceneReferred> flat_view(const FlatWorld& world, const ViewGrid& grid, C
         for (const FlatSurface* surface : order) {
           // q = p + (F_p − F_q)·disp(p): the point seen here as the origin's view sees it.
           const double qx = px + ds * surface->disparity_px, qy = py + dt * surface->disparity_px;
-          if (surface->covers && !surface->covers(qx, qy)) continue;
+          if (!surface->is_at(qx, qy)) continue;
           radiance.at(x, y) = surface->colour(qx, qy);
           disparity.at(x, y) = static_cast<float>(surface->disparity_px);
           break;

@@ -109,6 +109,18 @@ TEST(ClaimsAppearance, NoOrOneLampGivesNoIntervalThatCouldDecideAClaim) {
   EXPECT_EQ(mean_truth_spots(none), 0);
 }
 
+TEST(ClaimsAppearance, ALampHasCopiesIfTheViewShowsMoreSpotsThanTheTruth) {
+  const std::vector<LampCopies> one(1), lamps{{.spots = 1, .truth_spots = 1},
+                                              {.spots = 2, .truth_spots = 2},
+                                              {.spots = 4, .truth_spots = 1},
+                                              {.spots = 0, .truth_spots = 1}};
+  EXPECT_FALSE(share_with_copies(one).has_value());
+  const Interval share = share_with_copies(lamps).value();
+  EXPECT_EQ(share.estimate, 0.25);
+  EXPECT_LT(share.low, 0.25);
+  EXPECT_GT(share.high, 0.5);  // four lamps cannot tell a quarter from most
+}
+
 TEST(ClaimsAppearance, ARatioOfErrorsPairsTheTilesThatBothHold) {
   const TileErrors dense{.tile = {0, 2, 3}, .error = {1, 4, 100}, .noise = {0, 0, 0}};
   const TileErrors sparse{.tile = {0, 1, 2}, .error = {4, 100, 16}, .noise = {0, 0, 0}};

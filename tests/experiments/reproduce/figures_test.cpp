@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/reproduce/figure_epi.h"
+#include "experiments/reproduce/figure_overview.h"
 #include "experiments/reproduce/figure_pictures.h"
 #include "experiments/reproduce/figure_places.h"
 #include "experiments/reproduce/figure_restoration.h"
@@ -211,8 +212,7 @@ EpiPair epi_with_error(double t, bool grows) {
 }
 
 EpiNumbers numbers_of(const EpiPair& epi) {
-  ReproductionResult result;
-  return add_epi(result, epi, {0, 0, 16, 16}, 1, 2, "test", {});
+  return measure_epi(epi, {0, 0, 16, 16}, 1);
 }
 
 TEST(EpiNumbers, TellAnErrorThatFadesTowardsKeyViewsFromOneThatDoesNot) {
@@ -226,6 +226,66 @@ TEST(EpiNumbers, KnowTheNoiseOnlyIfTheMotionPassesThroughKeyViews) {
   EXPECT_NEAR(*through.rms_noise, 0, 1e-6);
   EXPECT_NEAR(*through.rms_between_without_noise, through.rms_between, 1e-6);
   EXPECT_FALSE(numbers_of(epi_with_error(0.5, true)).rms_noise.has_value());
+}
+
+/// A view that both key views see but for its lower half, too dark by `error` in its left upper quarter.
+NovelView<SceneReferred> view_with_error(float error) {
+  NovelView<SceneReferred> view;
+  view.image = constant_image(32, 32, 0.25f);
+  view.views.resize(2);
+  view.visible_views = Plane<std::uint8_t>(32, 32, 2);
+  for (int y = 0; y < 32; ++y)
+    for (int x = 0; x < 32; ++x) {
+      if (y >= 16) view.visible_views.at(x, y) = 1;
+      if (x < 16 && y < 16) view.image.at(x, y) = Rgb{1, 1, 1} * (0.25f - error);
+    }
+  return view;
+}
+
+TEST(Overview, LooksAtSquaresThatAllKeyViewsSeeByHalf) {
+  NovelView<SceneReferred> view = view_with_error(0);
+  EXPECT_EQ(eligible_squares(view, 16), (std::vector<PixelBox>{{0, 0, 16, 16}, {16, 0, 16, 16}}));
+  for (int x = 0; x < 16; ++x) view.visible_views.at(x, 0) = 1;
+  EXPECT_EQ(eligible_squares(view, 16).size(), 2u);
+  for (int x = 0; x < 16; ++x)
+    for (int y = 1; y < 9; ++y) view.visible_views.at(x, y) = 1;
+  EXPECT_EQ(eligible_squares(view, 16).size(), 1u);
+  EXPECT_TRUE(eligible_squares(view, 33).empty());
+}
+
+TEST(Overview, SetsTheEnlargedPartBesideAllOthers) {
+  const NovelView<SceneReferred> view = view_with_error(0.2f);
+  const SceneImage truth = constant_image(32, 32, 0.25f);
+  const Overview overview = overview_of(view, truth, {0, 0, 16, 16}, nullptr);
+  ASSERT_TRUE(overview.rms.has_value());
+  EXPECT_EQ(overview.rms->count, 2u);
+  EXPECT_EQ(overview.rms->low, 0);
+  EXPECT_DOUBLE_EQ(overview.rms->high, overview.rms_of_box);
+  EXPECT_DOUBLE_EQ(overview.rms->median, overview.rms_of_box / 2);
+  EXPECT_FALSE(overview.fading.has_value());
+  EXPECT_NE(overview_text(overview).find("2 squares"), std::string::npos);
+}
+
+TEST(Overview, MeasuresFadingInTheMiddleRowWhereverTheEnlargedPartLies) {
+  NovelView<SceneReferred> view = view_with_error(0);
+  view.visible_views = Plane<std::uint8_t>(32, 32, 2);
+  EpiPair epi;
+  epi.positions = straight_path({0, 0}, {2, 0}, kEpiFrames);
+  epi.truth = epi.synthesised = constant_image(32, kEpiFrames, 0.25f);
+  epi.at_s = 0.5;
+  for (int frame = 0; frame < kEpiFrames; ++frame) {
+    const double s = epi.positions[static_cast<std::size_t>(frame)].s;
+    for (int x = 0; x < 32; ++x) {
+      // Grows between key views on the left, stays on the right.
+      const auto error = static_cast<float>(x < 16 ? 0.01 + 0.4 * std::abs(s - std::round(s)) : 0.1);
+      epi.synthesised.at(x, frame) = Rgb{1, 1, 1} * (0.25f - error);
+    }
+  }
+  const Overview overview = overview_of(view, constant_image(32, 32, 0.25f), {0, 0, 16, 16}, &epi);
+  ASSERT_TRUE(overview.fading.has_value());
+  EXPECT_EQ(overview.fading->count, 2u);
+  EXPECT_NEAR(overview.fading->low, 1, 1e-6);
+  EXPECT_GT(overview.fading->high, kFadingRatio);
 }
 
 TEST(RestoredBeforeBackground, FollowsTheDepthOfTheTruthOnly) {

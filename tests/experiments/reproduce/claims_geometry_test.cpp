@@ -8,6 +8,7 @@
 #include "core/synthesis/synthesizer.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
 #include "experiments/reproduce/claims/geometry_occluders.h"
+#include "experiments/reproduce/claims/geometry_restored.h"
 #include "experiments/reproduce/figure_tools.h"
 #include "stimuli/scenes/modelling/textures.h"
 
@@ -112,16 +113,6 @@ TEST(GeometryOccluders, TheRarestShapeIsFoundForGeometryAndSynthesisApart) {
   EXPECT_EQ(unseen_share(studies, UnseenBy::kGeometry).estimate, 0.25);
 }
 
-TEST(GeometryMeasures, RegionsThatTouchByCornersAreOne) {
-  Mask mask = rectangle_mask(8, 8, 0, 0, 2, 2);
-  mask.at(2, 2) = 1;
-  mask.at(7, 7) = 1;
-  const auto regions = regions_of(mask);
-  ASSERT_EQ(regions.size(), 2u);
-  EXPECT_EQ(regions[0].size(), 5u);
-  EXPECT_EQ(regions[1].size(), 1u);
-}
-
 TEST(GeometryMeasures, TheWilsonIntervalOfAShareHasPublishedValues) {
   const Interval half = share_interval(5, 10);
   EXPECT_NEAR(half.low, 0.2366, 1e-4);
@@ -130,6 +121,12 @@ TEST(GeometryMeasures, TheWilsonIntervalOfAShareHasPublishedValues) {
   EXPECT_EQ(none.low, 0);
   EXPECT_NEAR(none.high, 3.8415 / (96 + 3.8415), 1e-4);
   EXPECT_EQ(share_interval(7, 7).high, 1);
+  const Interval of_four = share_interval(5, 10, kNormal95OfFour);
+  EXPECT_LT(of_four.low, half.low);
+  EXPECT_GT(of_four.high, half.high);
+  // Phi(2.497705) = 1 - 0.05/8
+  EXPECT_NEAR(0.5 * std::erfc(kNormal95OfFour / std::numbers::sqrt2), 0.05 / 8, 1e-7);
+  EXPECT_NEAR(0.5 * std::erfc(kNormal95 / std::numbers::sqrt2), 0.025, 1e-7);
 }
 
 TEST(GeometryShapes, ReachIsTheSupportFunctionOfTheSilhouette) {
@@ -141,15 +138,14 @@ TEST(GeometryShapes, ReachIsTheSupportFunctionOfTheSilhouette) {
 TEST(GeometryShapes, ConvexShapesContainTheMiddleOfAnyTwoOfTheirPoints) {
   for (const ShapeKind kind : convex_shapes()) {
     RandomStream random(1, 2, static_cast<std::uint64_t>(kind));
-    const Shape shape = random_shape(kind, 10, 20, random);
+    const auto covers = silhouette(random_shape(kind, 10, 20, random));
     std::vector<std::array<double, 2>> inside;
     while (inside.size() < 60) {
       const double x = uniform(random, -20, 20), y = uniform(random, -20, 20);
-      if (shape.covers(x, y)) inside.push_back({x, y});
+      if (covers(x, y)) inside.push_back({x, y});
     }
     for (const auto& p : inside)
-      for (const auto& q : inside)
-        EXPECT_TRUE(shape.covers((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)) << name_of(kind);
+      for (const auto& q : inside) EXPECT_TRUE(covers((p[0] + q[0]) / 2, (p[1] + q[1]) / 2)) << name_of(kind);
   }
 }
 
@@ -157,15 +153,15 @@ TEST(GeometryOccluders, ASingleConvexOccluderHidesNothingFromAllKeyViews) {
   for (const ShapeKind kind : convex_shapes())
     for (std::uint64_t i = 0; i < 3; ++i) {
       RandomStream random(5, 6, i);
-      const FlatWorld world = world_of(place_inside(kind, random), false);
+      const FlatWorld world = world_of(place_inside(kind, random), Patterned::kNothing);
       EXPECT_EQ(count_set(hidden_from_all(world, occluder_grid(), {0.4, 0.6})), 0u) << name_of(kind);
     }
 }
 
 TEST(GeometryOccluders, BackgroundBetweenTwoSquaresIsHiddenWhereTheGapIsNarrow) {
   const auto hidden = [](double gap_px) {
-    return count_set(beyond_rim(
-        hidden_from_all(world_of(facing_squares(gap_px, 12), false), occluder_grid(), {0.5, 0.5})));
+    return count_set(beyond_rim(hidden_from_all(world_of(facing_squares(gap_px, 12), Patterned::kNothing),
+                                                occluder_grid(), {0.5, 0.5})));
   };
   EXPECT_GT(hidden(4), 20u);
   EXPECT_EQ(hidden(24), 0u);  // wider than the displacement between key views: some key view looks through
@@ -175,6 +171,89 @@ TEST(GeometryOccluders, SynthesisMissesWhatGeometryHides) {
   const OccluderOutcome outcome = judge(facing_squares(4, 12), 1, 1);
   EXPECT_TRUE(outcome.unseen);
   EXPECT_GT(outcome.unseen_px.hidden, 5);
+}
+
+TEST(GeometryOccluders, AStudyDoesNotDependOnTheNumberOfThreads) {
+  const auto study = [](int threads) {
+    LaboratoryOptions options;
+    options.threads = threads;
+    Laboratory laboratory(options);
+    return study_occluders(laboratory, concave_shapes().first(2), place_inside, 3, 0x77);
+  };
+  const auto one = study(1), four = study(4);
+  ASSERT_EQ(one.size(), four.size());
+  for (std::size_t k = 0; k < one.size(); ++k) {
+    ASSERT_EQ(one[k].outcomes.size(), 3u);
+    EXPECT_EQ(one[k].name, name_of(one[k].kind));
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_EQ(one[k].placements[i].shapes[0].x, four[k].placements[i].shapes[0].x);
+      EXPECT_EQ(one[k].outcomes[i].unseen_px.all(), four[k].outcomes[i].unseen_px.all());
+      EXPECT_EQ(one[k].outcomes[i].geometry_px, four[k].outcomes[i].geometry_px);
+    }
+  }
+}
+
+TEST(GeometryOccluders, GeometryAloneSaysTheSameAsBesideSynthesis) {
+  Laboratory laboratory(LaboratoryOptions{});
+  const auto both = study_occluders(laboratory, concave_shapes().first(2), place_inside, 4, 0x78);
+  const auto alone = study_geometry(laboratory, concave_shapes().first(2), place_inside, 4, 0x78);
+  double hidden = 0;
+  for (std::size_t k = 0; k < both.size(); ++k)
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(both[k].outcomes[i].hidden, alone[k].outcomes[i].hidden);
+      EXPECT_EQ(both[k].outcomes[i].hidden_2x2, alone[k].outcomes[i].hidden_2x2);
+      EXPECT_EQ(both[k].outcomes[i].geometry_px, alone[k].outcomes[i].geometry_px);
+      hidden += alone[k].outcomes[i].geometry_px;
+    }
+  EXPECT_GT(hidden, 0);
+}
+
+TEST(GeometryOccluders, BoundsOfAnOccluderChangeNothing) {
+  for (const ShapeKind kind : concave_shapes()) {
+    RandomStream random(8, 9, static_cast<std::uint64_t>(kind));
+    const FlatWorld bounded = world_of(place_inside(kind, random), Patterned::kEverything);
+    FlatWorld unbounded = bounded;
+    for (FlatSurface& surface : unbounded.surfaces) surface.bounds = {};
+    const auto a = flat_view(bounded, occluder_grid(), {0, 1}),
+               b = flat_view(unbounded, occluder_grid(), {0, 1});
+    EXPECT_EQ(a.colour, b.colour) << name_of(kind);
+    EXPECT_EQ(a.disparity, b.disparity) << name_of(kind);
+  }
+}
+
+/// Two by one pixels: the left one restored to disparity 2, the right one needed no restoration.
+NovelView<SceneReferred> half_restored() {
+  NovelView<SceneReferred> view;
+  view.image = SceneImage(2, 1);
+  view.restored = view.unseen = Mask(2, 1);
+  view.restored.at(0, 0) = 1;
+  view.provenance = Plane<PixelProvenance>(2, 1);
+  view.provenance.at(0, 0)[0] = {.state = CorrespondenceState::kRestored, .disparity_px = 2, .weight = 1};
+  return view;
+}
+
+TEST(RestoredBackground, IsToldFromStructuresThatAreNearerInTheTruth) {
+  KeyView<SceneReferred> truth{SceneImage(2, 1, Rgb{1, 1, 1}), DisparityMap(2, 1, 2.5f)};
+  const RestorationErrors background = restoration_errors(half_restored(), truth, 1);
+  EXPECT_EQ(background.background.pixels, 1);
+  EXPECT_EQ(background.foreground.pixels, 0);
+  EXPECT_EQ(background.rest.pixels, 1);
+  EXPECT_DOUBLE_EQ(background.background.rms(), 1);
+  truth.disparity.at(0, 0) = 4;
+  const RestorationErrors nearer = restoration_errors(half_restored(), truth, 1);
+  EXPECT_EQ(nearer.background.pixels, 0);
+  EXPECT_EQ(nearer.foreground.pixels, 1);
+}
+
+TEST(RestoredBackground, IsComparedWithTheRestOfTheViewsThatHaveAny) {
+  const RestorationErrors twice{.background = {4, 1}, .foreground = {}, .rest = {1, 1}},
+      none{.background = {}, .foreground = {}, .rest = {100, 1}},
+      no_error{.background = {1, 1}, .foreground = {}, .rest = {}};
+  const Interval ratio = restored_over_rest({twice, none, twice}, 1).value();
+  EXPECT_DOUBLE_EQ(ratio.estimate, 2);
+  EXPECT_DOUBLE_EQ(ratio.low, 2);
+  EXPECT_FALSE(restored_over_rest({twice, none}, 1).has_value());
+  EXPECT_FALSE(restored_over_rest({twice, no_error}, 1).has_value());
 }
 
 TEST(GeometryClaims, TheFrustumBoundHoldsOnlyWithOnePixelLessThanTheImage) {
