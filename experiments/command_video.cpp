@@ -32,19 +32,13 @@ struct VideoOptions {
   int memory_mib = 2048;
 };
 
-/// One exposure for all frames: that of the middle key view.
-float video_exposure(const LightField& field, double requested) {
-  if (requested > 0) return static_cast<float>(requested);
-  return exposure_from(field.view(field.grid().columns / 2, field.grid().rows / 2)->colour);
-}
-
 void write_frames(
     const LightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
     const fs::path& folder,
     const std::function<void(std::size_t, const fs::path&, const NovelView<SceneReferred>&)>& written) {
   const std::string format = options.format.empty() ? "exr" : options.format;
   const bool png = format == "png";
-  const float exposure = png ? video_exposure(field, options.exposure) : 1;
+  const float exposure = png ? common_exposure(field, options.exposure) : 1;
   Synthesizer(field).synthesize_sequence(
       positions, options.synthesis, [&](std::size_t index, NovelView<SceneReferred>&& view) {
         const fs::path file = folder / fmt::format("frame_{:04}.{}", index, format);

@@ -54,8 +54,7 @@ PixelRepairs repair_captured(DisplayImage&) {
 }
 
 float exposure_for(const LightField& field, double requested) {
-  if (requested > 0) return static_cast<float>(requested);
-  return exposure_from(field.view(field.grid().columns / 2, field.grid().rows / 2)->colour);
+  return common_exposure(field, requested);
 }
 float exposure_for(const DisplayLightField&, double) {
   return 1;

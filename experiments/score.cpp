@@ -4,8 +4,14 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/image/colour.h"
 
 namespace plenolab {
+
+float common_exposure(const LightField& field, double requested) {
+  if (requested > 0) return static_cast<float>(requested);
+  return exposure_from(field.view(field.grid().columns / 2, field.grid().rows / 2)->colour);
+}
 
 namespace {
 

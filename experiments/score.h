@@ -5,9 +5,14 @@
 #include <vector>
 
 #include "analysis/result_table.h"
+#include "core/lightfield/light_field.h"
 #include "metrics/table.h"
 
 namespace plenolab {
+
+/// One exposure for all views of a light field: the requested one, or, if that is 0, the one that suits the
+/// middle key view (exposure_from).
+float common_exposure(const LightField& field, double requested);
 
 /// Identifying columns of a row.
 using Columns = std::vector<std::pair<std::string, Cell>>;
