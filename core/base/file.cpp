@@ -5,9 +5,11 @@
 
 #include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <memory>
 
 #include "core/base/error.h"
 
@@ -31,9 +33,17 @@ void create_parent(const fs::path& path) {
         fmt::format("cannot create the folder {}: {}", path.parent_path().string(), error.message()));
 }
 
+fs::path make_temporary_folder() {
+  std::string name = (fs::temp_directory_path() / "plenolab-XXXXXX").string();
+  if (!::mkdtemp(name.data()))
+    throw InputError(fmt::format("cannot create a temporary folder: {}", std::strerror(errno)));
+  return name;
+}
+
 }  // namespace
 
 void write_atomically(const fs::path& requested, const std::function<void(const fs::path&)>& write) {
+  if (requested.empty()) throw InputError("cannot write a file without a name");
   std::error_code unresolved;
   const fs::path target =
       fs::weakly_canonical(requested, unresolved);  // a link stays, the file behind it is replaced
@@ -45,25 +55,28 @@ void write_atomically(const fs::path& requested, const std::function<void(const 
     return;
   }
   create_parent(path);
-  const fs::path temporary = temporary_name(path);
-  std::error_code ignored;
-  try {
-    write(temporary);
+  const PartialOutput partial([&] { return temporary_name(path); });
+  write_under_temporary_name(partial.path(), path, write);
+  partial.put_in_place([&] {
     std::error_code error;
-    fs::rename(temporary, path, error);
+    fs::rename(partial.path(), path, error);
     if (error) throw InputError(fmt::format("cannot write {}: {}", path.string(), error.message()));
-  } catch (...) {
-    fs::remove(temporary, ignored);
-    throw;
-  }
+  });
+}
+
+void write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
+  const auto fail_unless = [&](bool ok) {
+    if (!ok) throw InputError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+  };
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "wb"), &std::fclose);
+  fail_unless(file != nullptr);
+  fail_unless(std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size());
+  fail_unless(std::fclose(file.release()) == 0);
 }
 
 void write_text_file(const fs::path& path, std::string_view text) {
   write_atomically(path, [&](const fs::path& temporary) {
-    std::ofstream out(temporary, std::ios::binary);
-    out.write(text.data(), static_cast<std::streamsize>(text.size()));
-    out.close();
-    if (!out) throw InputError(fmt::format("cannot write {}: {}", path.string(), std::strerror(errno)));
+    write_bytes(temporary, std::as_bytes(std::span(text.data(), text.size())));
   });
 }
 
@@ -84,16 +97,6 @@ std::string read_text_file(const fs::path& path, std::uintmax_t max_bytes) {
   return text;
 }
 
-TemporaryFolder::TemporaryFolder() {
-  std::string name = (fs::temp_directory_path() / "plenolab-XXXXXX").string();
-  if (!::mkdtemp(name.data()))
-    throw InputError(fmt::format("cannot create a temporary folder: {}", std::strerror(errno)));
-  path_ = name;
-}
-
-TemporaryFolder::~TemporaryFolder() {
-  std::error_code ignored;
-  fs::remove_all(path_, ignored);
-}
+TemporaryFolder::TemporaryFolder() : folder_(make_temporary_folder) {}
 
 }  // namespace plenolab

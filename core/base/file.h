@@ -1,19 +1,28 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
+
+#include "core/base/partial_output.h"
 
 namespace plenolab {
 
 /// Runs `write` on a temporary name in the folder of `path`, then renames it to `path`, so that the file
 /// appears whole or not at all; missing folders are created and the temporary file is removed on any
-/// exception. The temporary name keeps the extension of `path`. A symbolic link is followed; a device or pipe
-/// is written into directly. Throws InputError if the folder or file cannot be written.
+/// exception or stop signal (core/base/partial_output.h). The temporary name keeps the extension of `path`. A
+/// symbolic link is followed; a device or pipe is written into directly. Throws InputError, which names
+/// `path` and the reason, if the folder or file cannot be written.
 void write_atomically(const std::filesystem::path& path,
                       const std::function<void(const std::filesystem::path& temporary)>& write);
+
+/// Writes bytes to a file that need not be replaced atomically (inside write_atomically). Throws InputError
+/// with the reason, e.g. a full disk.
+void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Writes text (or bytes) atomically.
 void write_text_file(const std::filesystem::path& path, std::string_view text);
@@ -22,17 +31,15 @@ void write_text_file(const std::filesystem::path& path, std::string_view text);
 /// larger.
 std::string read_text_file(const std::filesystem::path& path, std::uintmax_t max_bytes = 64u << 20);
 
-/// A fresh folder below the system's temporary folder that disappears with the object.
+/// A fresh folder below the system's temporary folder that disappears with the object, or when the process is
+/// told to stop.
 class TemporaryFolder {
  public:
   TemporaryFolder();
-  ~TemporaryFolder();
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return folder_.path(); }
 
  private:
-  std::filesystem::path path_;
+  PartialOutput folder_;
 };
 
 }  // namespace plenolab

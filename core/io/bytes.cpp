@@ -41,13 +41,6 @@ std::vector<std::byte> read_bytes(const fs::path& path, std::uint64_t max_bytes)
   return read_beginning(path, size);
 }
 
-void write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
-  File file(std::fopen(path.c_str(), "wb"), &std::fclose);
-  const bool written = file && std::fwrite(bytes.data(), 1, bytes.size(), file.get()) == bytes.size();
-  const bool closed = file && std::fclose(file.release()) == 0;
-  if (!written || !closed) throw InputError(fmt::format("cannot write {}", path.string()));
-}
-
 std::string lower_extension(const fs::path& path) {
   std::string extension = path.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

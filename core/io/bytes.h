@@ -3,7 +3,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -18,9 +17,6 @@ std::vector<std::byte> read_beginning(const std::filesystem::path& path, std::ui
 
 /// Size of a regular file. Throws InputError if there is none.
 std::uint64_t size_of_file(const std::filesystem::path& path);
-
-/// Writes bytes to a file that need not be replaced atomically (inside write_atomically). Throws InputError.
-void write_bytes(const std::filesystem::path& path, std::span<const std::byte> bytes);
 
 /// Lower-case extension with its dot, ".exr".
 std::string lower_extension(const std::filesystem::path& path);
