@@ -1,0 +1,88 @@
+#include "core/tonemap/filters/bilateral_grid.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/tonemap/filters/grid_passes.h"
+
+namespace plenolab {
+namespace {
+
+/// Up to this distance in σ weights of range and disparity are followed: e^(−6.5²/2) of a window of 10⁵
+/// pixels is 1e-4 of the weight of the pixel itself.
+constexpr double kReach = 6.5;
+/// Beyond, floats have no fractions of a sample left.
+constexpr double kMostSamples = 1 << 24;
+/// Floats of one copy of the grid.
+constexpr std::size_t kMostFloats = std::size_t{1} << 26;
+
+struct Bounds {
+  float min, max;
+  double range() const { return static_cast<double>(max) - static_cast<double>(min); }
+};
+
+Bounds bounds_of(const Plane<float>& plane) {
+  const auto [min, max] = std::minmax_element(plane.pixels().begin(), plane.pixels().end());
+  return {*min, *max};
+}
+
+bool fits(const BilateralInput& input, const GridSampling& sampling) {
+  if (input.options.sigma_s_px < sampling.per_sigma_s) return false;  // cells would be smaller than pixels
+  const BilateralOptions& options = input.options;
+  if (bounds_of(input.range).range() * sampling.per_sigma_value / options.sigma_value > kMostSamples)
+    return false;
+  return !input.depth ||
+         bounds_of(*input.depth->disparity).range() * sampling.per_sigma_d / input.depth->sigma_d_px <=
+             kMostSamples;
+}
+
+std::vector<float> taps(double sigma, int reach) {
+  std::vector<float> result;
+  for (int i = 0; i <= reach; ++i)
+    result.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma * sigma))));
+  return result;
+}
+
+/// σ in samples less the blur of linear interpolation into the grid and out of it, 1/6 each in variance.
+double remaining_sigma(double per_sigma) {
+  return std::sqrt(per_sigma * per_sigma - 1.0 / 3);
+}
+
+}  // namespace
+
+void GridSampling::validate() const {
+  for (const double n : {per_sigma_s, per_sigma_value, per_sigma_d})
+    if (!(n >= 1 && n <= 64))
+      throw InputError(fmt::format("the bilateral grid needs 1 to 64 samples per sigma, not {}", n));
+}
+
+GridKernels make_kernels(const BilateralInput& input, const GridSampling& sampling) {
+  GridKernels kernels;
+  kernels.space = taps(remaining_sigma(sampling.per_sigma_s),
+                       static_cast<int>(std::lround(input.options.support_sigmas * sampling.per_sigma_s)));
+  kernels.bin_reach = static_cast<int>(std::ceil(kReach * sampling.per_sigma_value / kBinGroup)) * kBinGroup;
+  kernels.bins = taps(remaining_sigma(sampling.per_sigma_value), kernels.bin_reach);
+  kernels.layers = {1.0f};
+  if (input.depth) {
+    const int reach = static_cast<int>(std::ceil(kReach * sampling.per_sigma_d));
+    kernels.layers = taps(remaining_sigma(sampling.per_sigma_d), reach);
+    kernels.one_sided = input.depth->side == DepthSide::kBackgroundTakesNothingFromForeground;
+  }
+  return kernels;
+}
+
+std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const GridSampling& sampling) {
+  sampling.validate();
+  if (!fits(input, sampling)) return std::nullopt;
+  const GridAxes axes = make_axes(input, sampling);
+  const GridLayout layout = make_layout(input, axes);
+  if (layout.floats > kMostFloats) return std::nullopt;
+  const Bounds values = bounds_of(input.value);
+  const GridImage image{input, axes, layout, values.min + 0.5f * (values.max - values.min)};
+  return slice(image, blur(layout, splat(image), make_kernels(input, sampling), input.threads));
+}
+
+}  // namespace plenolab
