@@ -10,9 +10,11 @@
 #include "core/lightfield/hci.h"
 #include "core/lightfield/light_field_folder.h"
 #include "core/lightfield/self_check.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
 
 namespace plenolab {
 
@@ -25,7 +27,7 @@ struct ConvertOptions {
   std::string radiance = "relative";
   BareFolderOptions bare;
   double exposure = 0;
-  bool linear = false, unchecked = false;
+  bool linear = false, unchecked = false, force = false;
   std::vector<const CLI::Option*> for_bare_folders;  ///< options that mean nothing for other sources
   const CLI::Option *spacing_x = nullptr, *spacing_y = nullptr, *fov_h = nullptr;
 };
@@ -79,12 +81,21 @@ void check_disparity(const AnyLightField& any, const ConvertOptions& options) {
       any);
 }
 
-void write_hci(const AnyLightField& any, const ConvertOptions& options) {
+void write_hci(const AnyLightField& any, const ConvertOptions& options, const std::filesystem::path& folder) {
   ProgressBar bar("writing");
   if (const auto* scene = std::get_if<LightField>(&any))
-    export_hci(options.out, exposed(*scene, options.exposure), {}, bar.callback());
+    export_hci(folder, exposed(*scene, options.exposure), {}, bar.callback());
   else
-    export_hci(options.out, std::get<DisplayLightField>(any), {}, bar.callback());
+    export_hci(folder, std::get<DisplayLightField>(any), {}, bar.callback());
+}
+
+void write_field(const AnyLightField& any, const std::filesystem::path& folder) {
+  ProgressBar bar("writing");
+  std::visit(
+      [&](const auto& field) {
+        write_light_field(folder, field, {.colour_type = ExrPixelType::kFloat}, bar.callback());
+      },
+      any);
 }
 
 /// Says what was written: HCI views are cropped to the area common to all, so their size is read back.
@@ -114,19 +125,14 @@ void run_convert(const Invocation& invocation, ConvertOptions& options) {
   options.bare.unit = options.radiance == "cd/m2" ? RadianceUnit::kCdM2 : RadianceUnit::kRelative;
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField field = open_source(options);
-  check_disparity(field, options);
-  if (options.to == "hci") {
-    write_hci(field, options);
-  } else {
-    ProgressBar bar("writing");
-    std::visit(
-        [&](const auto& f) {
-          write_light_field(options.out, f, {.colour_type = ExrPixelType::kFloat}, bar.callback());
-        },
-        field);
-  }
-  finish_provenance(provenance);
-  write_run_json(provenance, options.out);
+  const std::string item = fmt::format("{} --to {}", item_path(options.source), options.to);
+  write_result_folder({options.out, "convert", item, options.force}, provenance, [&](const auto& folder) {
+    check_disparity(field, options);
+    if (options.to == "hci")
+      write_hci(field, options, folder);
+    else
+      write_field(field, folder);
+  });
   report(options, grid_of(field), provenance);
 }
 
@@ -137,34 +143,39 @@ void add_convert_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("source", options->source,
                  "HCI folder, light field folder, or a bare folder of EXRs with depth")
       ->required();
-  app.add_option("-o,--out", options->out, "Folder to write; must not exist or be empty")->required();
+  app.add_option("-o,--out", options->out, "Folder to write")->required()->check(not_empty());
   app.add_option("--to", options->to, "Layout to write")
-      ->check(CLI::IsMember({"plenolab", "hci"}))
+      ->check(one_of({"plenolab", "hci"}))
       ->capture_default_str();
   app.add_flag("--linear", options->linear, "HCI source: decode to relative radiance by gamma 2.2");
   app.add_option("--exposure", options->exposure, "HCI target: scale of radiance before gamma encoding")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   options->spacing_x =
-      app.add_option("--spacing-x", options->bare.spacing_x_m, "Bare folder: metres between columns");
+      app.add_option("--spacing-x", options->bare.spacing_x_m, "Bare folder: metres between columns")
+          ->check(positive_number());
   options->spacing_y = app.add_option("--spacing-y", options->bare.spacing_y_m,
-                                      "Bare folder: metres between rows (default: as between columns)");
+                                      "Bare folder: metres between rows (default: as between columns)")
+                           ->check(positive_number());
   options->fov_h = app.add_option("--fov-h", options->bare.fov_h_deg,
-                                  "Bare folder: full horizontal opening angle in degrees");
+                                  "Bare folder: full horizontal opening angle in degrees")
+                       ->check(number_between(0.01, 179.99));
   app.add_option("--pattern", options->bare.pattern, "Bare folder: view names with {column} and {row}");
   app.add_option("--columns", options->bare.columns,
-                 "Bare folder: columns, for names with one running number");
+                 "Bare folder: columns, for names with one running number")
+      ->check(whole_number(1, 1000));
   app.add_flag("--column-first", options->bare.column_first, "Bare folder: the first number is the column");
   app.add_option("--red", options->bare.r, "Bare folder: name of the red channel");
   app.add_option("--green", options->bare.g, "Bare folder: name of the green channel");
   app.add_option("--blue", options->bare.b, "Bare folder: name of the blue channel");
   app.add_option("--depth", options->bare.depth, "Bare folder: name of the planar depth channel (metres)");
   app.add_option("--radiance", options->radiance, "Bare folder: unit of the radiance")
-      ->check(CLI::IsMember({"relative", "cd/m2"}))
+      ->check(one_of({"relative", "cd/m2"}))
       ->capture_default_str();
   for (const char* name : {"--spacing-x", "--spacing-y", "--fov-h", "--pattern", "--columns",
                            "--column-first", "--red", "--green", "--blue", "--depth", "--radiance"})
     options->for_bare_folders.push_back(app.get_option(name));
   app.add_flag("--unchecked", options->unchecked, "Skip the photometric self-check");
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
       "HCI views are offset from parallel ones: on import and export they are moved, and cropped to the area "

@@ -7,12 +7,15 @@
 #include "core/base/error.h"
 #include "core/image/colour.h"
 #include "core/io/image_file.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 
 namespace plenolab {
 
 namespace {
+
+constexpr int kLargestLine = 1 << 20;
 
 struct EpiOptions {
   CommonOptions common;
@@ -35,11 +38,28 @@ std::vector<Image> read_frames(const std::vector<std::filesystem::path>& files) 
   return frames;
 }
 
+/// Throws if the line to cut along is not in the frames.
+template <class Image>
+void require_line(const Image& frame, EpiDirection direction, int line) {
+  const bool row = direction == EpiDirection::kRow;
+  const int lines = row ? frame.height() : frame.width();
+  if (line >= lines)
+    throw UsageError(fmt::format("--{}: give a whole number from 0 to {}, the last of the frames, not '{}'",
+                                 row ? "row" : "column", lines - 1, line));
+}
+
+template <class Image>
+Image cut_frames(const std::vector<std::filesystem::path>& files, EpiDirection direction, int line) {
+  const std::vector<Image> frames = read_frames<Image>(files);
+  require_line(frames.front(), direction, line);
+  return epi(frames, direction, line);
+}
+
 /// The slice as a display image; scene-referred frames at one exposure for all.
 DisplayImage cut(const std::vector<std::filesystem::path>& files, EpiDirection direction, int line,
                  const EpiOptions& options) {
-  if (is_display_file(files.front())) return epi(read_frames<DisplayImage>(files), direction, line);
-  const SceneImage slice = epi(read_frames<SceneImage>(files), direction, line);
+  if (is_display_file(files.front())) return cut_frames<DisplayImage>(files, direction, line);
+  const SceneImage slice = cut_frames<SceneImage>(files, direction, line);
   if (!is_display_file(options.out)) {
     write_scene_image(options.out, slice);
     return {};
@@ -52,6 +72,12 @@ void run_epi(const Invocation& invocation, const EpiOptions& options) {
   if (options.stretch > 1 && !is_display_file(options.out))
     throw UsageError("--stretch is for looking at a .png: leave it out for files that keep radiance");
   const auto files = image_files(options.frames);
+  const bool display_frames = is_display_file(files.front());
+  if (display_frames && !is_display_file(options.out))
+    throw UsageError(fmt::format(
+        "--out: give a name that ends in .png, not '{}': the frames hold no radiance", options.out));
+  if (options.exposure > 0 && (display_frames || !is_display_file(options.out)))
+    throw UsageError("--exposure is for a .png of frames with radiance");
   const EpiDirection direction = options.row >= 0 ? EpiDirection::kRow : EpiDirection::kColumn;
   Provenance provenance = begin_run(invocation, options.common);
   add_input(provenance, options.frames);
@@ -69,16 +95,18 @@ void run_epi(const Invocation& invocation, const EpiOptions& options) {
 void add_epi_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<EpiOptions>();
   app.add_option("frames", options->frames, "Folder of frames, taken in order of their names")->required();
-  app.add_option("-o,--out", options->out, "Image to write; .png is exposed for display, .exr keeps radiance")
-      ->required();
+  app.add_option("-o,--out", options->out,
+                 "Image to write; .png is exposed for display, .exr .hdr .pfm keep radiance")
+      ->required()
+      ->check(file_ending_in({".png", ".exr", ".hdr", ".pfm"}));
   app.add_option("--row", options->row, "Cut along this row (horizontal camera motion)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number(0, kLargestLine));
   app.add_option("--column", options->column, "Cut along this column (vertical camera motion)")
-      ->check(CLI::NonNegativeNumber);
+      ->check(whole_number(0, kLargestLine));
   app.add_option("--stretch", options->stretch, "Repeat each frame this often in a .png")
-      ->check(CLI::Range(1, 64));
+      ->check(whole_number(1, 64));
   app.add_option("--exposure", options->exposure, "Exposure of a .png (default: 99th percentile becomes 1)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   add_common_options(app, options->common);
   app.footer("Example: plenolab epi frames --row 135 -o epi.png");
   app.callback([options, &invocation] { run_epi(invocation, *options); });

@@ -8,12 +8,13 @@
 #include "core/base/file.h"
 #include "core/image/colour.h"
 #include "core/io/image_file.h"
-#include "core/lightfield/new_folder.h"
 #include "core/synthesis/visibility_map.h"
 #include "experiments/cli/arguments.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
 #include "experiments/cli/synthesis_options.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/evaluate.h"
@@ -31,6 +32,7 @@ struct EvaluateCommandOptions {
   std::string folder, out;
   std::string strides = "2";
   int memory_mib = 2048;
+  bool force = false;
 };
 
 DisplayImage displayable(const SceneImage& image, float exposure) {
@@ -57,11 +59,22 @@ std::vector<int> parse_strides(const std::string& text) {
     int stride = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), stride);
     if (error != std::errc{} || end != part.data() + part.size() || stride < 2)
-      throw UsageError(fmt::format("'{}' is not a list of key strides of 2 or more, e.g. 2,4", text));
+      throw UsageError(
+          fmt::format("--key-stride: give whole numbers of 2 or more, e.g. 2,4, not '{}'", text));
     strides.push_back(stride);
   }
-  if (strides.empty()) throw UsageError("give at least one key stride, e.g. --key-stride 2");
+  if (strides.empty()) throw UsageError("--key-stride: give at least one, e.g. 2");
   return strides;
+}
+
+/// Throws if a stride leaves no view between key views. A grid too small for any stride is bad input instead,
+/// which evaluate() reports.
+void require_strides_fit(const std::vector<int>& strides, const ViewGrid& grid) {
+  const int largest = std::max(grid.columns, grid.rows) - 1;
+  for (const int stride : strides)
+    if (largest >= 2 && stride > largest)
+      throw UsageError(fmt::format("--key-stride: {} is more than the {}×{} grid allows, which is {}", stride,
+                                   grid.columns, grid.rows, largest));
 }
 
 template <class Referral>
@@ -105,19 +118,23 @@ ResultTable evaluate_strides(const AnyLightField& any, const EvaluateCommandOpti
 
 void run_evaluate(const Invocation& invocation, const EvaluateCommandOptions& options) {
   const std::vector<int> strides = parse_strides(options.strides);
+  require_fitting(options.evaluate.synthesis);
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
+  require_strides_fit(strides, grid_of(any));
+  if (options.evaluate.exposure > 0 && std::holds_alternative<DisplayLightField>(any))
+    throw UsageError("--exposure is for light fields with radiance; this one is display-referred");
   add_input(provenance, options.folder);
   ResultTable table;
   if (options.out.empty()) {
     table = evaluate_strides(any, options, strides, {});
   } else {
-    write_folder_atomically(options.out, [&](const fs::path& folder) {
-      table = evaluate_strides(any, options, strides, folder);
-      finish_provenance(provenance);
-      write_text_file(folder / "results.csv", to_csv(table));
-      write_run_json(provenance, folder);
-    });
+    const std::string item = item_path(options.folder);
+    write_result_folder({options.out, "evaluate", item, options.force}, provenance,
+                        [&](const fs::path& folder) {
+                          table = evaluate_strides(any, options, strides, folder);
+                          write_text_file(folder / "results.csv", to_csv(table));
+                        });
   }
   if (!output_is_for_programs(options.common)) print_for_people(table);
   write_results(table, provenance, options.common);
@@ -134,16 +151,18 @@ void add_evaluate_command(CLI::App& app, const Invocation& invocation) {
                  "Take every K-th view as key view and synthesise the others; several as K1,K2")
       ->capture_default_str();
   app.add_option("-o,--out", options->out,
-                 "Also write pictures of every view (captured, synthesised, error, visibility)");
+                 "Also write pictures of every view (captured, synthesised, error, visibility)")
+      ->check(not_empty());
   app.add_option("--exposure", options->evaluate.exposure,
                  "Scale before gamma encoding (default: from the middle view)")
-      ->check(CLI::PositiveNumber);
+      ->check(positive_number());
   app.add_option("--cd-m2-per-unit", options->evaluate.cd_m2_per_unit,
                  "Luminance of a pixel value of 1, for PQ")
-      ->check(CLI::PositiveNumber)
+      ->check(positive_number())
       ->capture_default_str();
-  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+  add_memory_option(app, options->memory_mib);
   add_synthesis_options(app, options->evaluate.synthesis);
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer("Example: plenolab evaluate captured --key-stride 2,4 -o results/evaluation");
   app.callback([options, &invocation] { run_evaluate(invocation, *options); });

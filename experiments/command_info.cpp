@@ -10,6 +10,7 @@
 #include "core/image/repair.h"
 #include "core/lightfield/profile.h"
 #include "core/lightfield/self_check.h"
+#include "experiments/cli/image_description.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
@@ -86,13 +87,9 @@ ResultTable light_field_info(const AnyLightField& any, const InfoOptions& option
   return table;
 }
 
-ResultTable image_info(const AnyImage& any, const std::string& path) {
-  ResultTable table;
-  const Columns columns{{"path", path}};
+void add_luminance_rows(ResultTable& table, const AnyImage& any, const Columns& columns) {
   std::visit(
       [&](const auto& image) {
-        table.add({"width", static_cast<double>(image.width()), "px", columns});
-        table.add({"height", static_cast<double>(image.height()), "px", columns});
         std::vector<double> luminances;
         for (const Rgb& c : image.pixels())
           if (const float y = luminance(c); std::isfinite(y)) luminances.push_back(y);
@@ -107,14 +104,49 @@ ResultTable image_info(const AnyImage& any, const std::string& path) {
       any);
   if (const auto* scene = std::get_if<SceneImage>(&any))
     add_repair_rows(table, count_defects(*scene), columns);
+}
+
+void add_channel_rows(ResultTable& table, const ChannelDescription& channel, Columns columns) {
+  if (!channel.part.empty()) columns.emplace_back("part", channel.part);
+  columns.emplace_back("channel", channel.name);
+  columns.emplace_back("type", channel.type);
+  if (!channel.measured) {
+    table.add({"channel_unread", 1, "1", columns});
+    return;
+  }
+  table.add({"channel_min", channel.least, "1", columns});
+  table.add({"channel_max", channel.most, "1", columns});
+  table.add({"channel_not_finite", static_cast<double>(channel.not_finite), "values", columns});
+}
+
+ResultTable image_info(const ImageDescription& image, const std::string& path) {
+  ResultTable table;
+  const Columns columns{{"path", path}};
+  table.add({"width", static_cast<double>(image.width), "px", columns});
+  table.add({"height", static_cast<double>(image.height), "px", columns});
+  table.add({"channels", static_cast<double>(image.channels.size()), "channels", columns});
+  for (const ChannelDescription& channel : image.channels) add_channel_rows(table, channel, columns);
+  if (image.has_colour) add_luminance_rows(table, read_any_image(path), columns);
   return table;
+}
+
+/// Metadata are texts: rows of their own for programs, lines for people.
+void report_image(const InfoOptions& options, Provenance& provenance) {
+  const ImageDescription image = describe_image(options.path);
+  add_input(provenance, options.path);
+  ResultTable table = image_info(image, options.path);
+  if (!output_is_for_programs(options.common)) fmt::print("{}", to_text(table));
+  for (const auto& [name, text] : image.metadata) {
+    table.add({"metadata", 1, "1", {{"path", options.path}, {"name", name}, {"text", text}}});
+    tell(options.common, fmt::format("{}: {}", name, text));
+  }
+  write_results(table, provenance, options.common);
 }
 
 void run_info(const Invocation& invocation, const InfoOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   if (!std::filesystem::is_directory(options.path)) {
-    add_input(provenance, options.path);
-    emit_results(image_info(read_any_image(options.path), options.path), provenance, options.common);
+    report_image(options, provenance);
     return;
   }
   const AnyLightField field = open_any_light_field(options.path, options.memory_mib);
@@ -130,7 +162,7 @@ void run_info(const Invocation& invocation, const InfoOptions& options) {
 void add_info_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<InfoOptions>();
   app.add_option("path", options->path, "Folder of a light field, or an image")->required();
-  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+  add_memory_option(app, options->memory_mib);
   add_common_options(app, options->common);
   app.footer(
       "A light field whose disparity does not fit its views (wrong sign, axis or scale) ends with exit "

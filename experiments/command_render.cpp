@@ -7,9 +7,12 @@
 #include "core/io/exr.h"
 #include "core/lightfield/light_field_folder.h"
 #include "experiments/cli/arguments.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
+#include "experiments/cli/scenes.h"
 #include "stimuli/render_cache.h"
 #include "stimuli/scenes/table.h"
 
@@ -22,7 +25,7 @@ struct RenderOptions {
   std::string scene, out, at, cache;
   std::string preset = "quick";
   int columns = 0, rows = 0, width = 0, height = 0, paths = 0;
-  bool keep_everything = false;
+  bool keep_everything = false, force = false;
 };
 
 /// The preset's grid with the sizes overridden on the command line; the aspect ratio follows a given width.
@@ -46,7 +49,7 @@ void add_pruned_rows(ResultTable& table, const std::string& scene, const std::ve
 
 void render_one_view(const Scene& scene, const ViewGrid& grid, const RenderSettings& settings,
                      const RenderOptions& options, Provenance& provenance) {
-  const CameraPosition position = parse_position(options.at);
+  const CameraPosition position = parse_position(options.at, "--at");
   require_extension(options.out, ".exr");
   ProgressBar bar("rendering " + scene.id);
   const CachedView view = render_view_cached(PreparedScene(scene), grid, position, settings,
@@ -71,10 +74,11 @@ void render_one_view(const Scene& scene, const ViewGrid& grid, const RenderSetti
 void render_grid(const Scene& scene, const ViewGrid& grid, const RenderSettings& settings,
                  const RenderOptions& options, Provenance& provenance) {
   const LightField field = render_light_field(scene, grid, settings, render_cache_folder(options.cache));
-  ProgressBar bar("rendering " + scene.id);
-  write_light_field(options.out, field, {.colour_type = ExrPixelType::kFloat}, bar.callback());
-  finish_provenance(provenance);
-  write_run_json(provenance, options.out);
+  const std::string item = fmt::format("{} --preset {}", scene.id, options.preset);
+  write_result_folder({options.out, "render", item, options.force}, provenance, [&](const auto& folder) {
+    ProgressBar bar("rendering " + scene.id);
+    write_light_field(folder, field, {.colour_type = ExrPixelType::kFloat}, bar.callback());
+  });
   ResultTable table;
   const std::vector<std::pair<std::string, Cell>> columns{{"scene", scene.id}};
   table.add({"views", static_cast<double>(grid.columns) * grid.rows, "views", columns});
@@ -85,7 +89,7 @@ void render_grid(const Scene& scene, const ViewGrid& grid, const RenderSettings&
 }
 
 void run_render(const Invocation& invocation, const RenderOptions& options) {
-  const Scene scene = build_scene(options.scene);
+  const Scene scene = scene_named(options.scene);
   const Preset preset = options.preset == "paper" ? Preset::kPaper : Preset::kQuick;
   const ViewGrid grid = requested_grid(scene, preset, options);
   RenderSettings settings;
@@ -93,8 +97,6 @@ void run_render(const Invocation& invocation, const RenderOptions& options) {
   settings.seed = options.common.seed;
   settings.threads = options.common.threads;
   settings.prune = !options.keep_everything;
-  settings.validate();
-  grid.validate();
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["scene"] = scene.id;
   provenance.parameters["preset"] = options.preset;
@@ -110,20 +112,24 @@ void run_render(const Invocation& invocation, const RenderOptions& options) {
 void add_render_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<RenderOptions>();
   app.add_option("scene", options->scene, "Scene id, see 'plenolab scenes'")->required();
-  app.add_option("-o,--out", options->out, "Folder of the light field; with --at the .exr file")->required();
+  app.add_option("-o,--out", options->out, "Folder of the light field; with --at the .exr file")
+      ->required()
+      ->check(not_empty());
   app.add_option("--preset", options->preset, "Grid, image size and number of paths")
-      ->check(CLI::IsMember({"quick", "paper"}))
+      ->check(one_of({"quick", "paper"}))
       ->capture_default_str();
   app.add_option("--at", options->at, "Render only the view at S,T (any position, in view spacings)");
-  app.add_option("--columns", options->columns, "Override the number of columns")->check(CLI::Range(1, 1000));
-  app.add_option("--rows", options->rows, "Override the number of rows")->check(CLI::Range(1, 1000));
+  app.add_option("--columns", options->columns, "Override the number of columns")
+      ->check(whole_number(1, 1000));
+  app.add_option("--rows", options->rows, "Override the number of rows")->check(whole_number(1, 1000));
   app.add_option("--width", options->width, "Override the image width (the height follows)")
-      ->check(CLI::Range(1, 16384));
-  app.add_option("--height", options->height, "Override the image height")->check(CLI::Range(1, 16384));
+      ->check(whole_number(1, 16384));
+  app.add_option("--height", options->height, "Override the image height")->check(whole_number(1, 16384));
   app.add_option("--paths", options->paths, "Override the paths per pixel, a multiple of 16")
-      ->check(CLI::Range(16, 1 << 20));
+      ->check(multiple_of(kBlockSamples, 1 << 20));
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");
   app.add_flag("--no-prune", options->keep_everything, "Run also the stages the scene does not need");
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
       "Examples: plenolab render cellar -o results/cellar\n"

@@ -5,8 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
 #include "experiments/reproduce/run.h"
 
 namespace plenolab {
@@ -17,10 +19,10 @@ namespace {
 struct ReproduceOptions {
   CommonOptions common;
   std::vector<std::string> ids;
-  std::string out = "results/reproduce";
+  std::string out;
   std::string preset = "quick";
   std::string cache;
-  bool list = false;
+  bool list = false, force = false;
 };
 
 Effort effort_of(const std::string& preset) {
@@ -28,12 +30,49 @@ Effort effort_of(const std::string& preset) {
   return preset == "paper" ? Effort::kPaper : Effort::kQuick;
 }
 
-void print_list() {
+void print_list_for_people() {
   std::string chapter;
   for (const Reproduction& item : reproductions()) {
     if (title_of(item.chapter) != chapter) fmt::print("{}\n", chapter = title_of(item.chapter));
     fmt::print("  {:<20} {}\n", item.id, item.title);
   }
+}
+
+/// What can be reproduced, as a table for people and as rows for programs.
+void list(const Invocation& invocation, const CommonOptions& options) {
+  Provenance provenance = begin_run(invocation, options);
+  ResultTable table;
+  for (const Reproduction& item : reproductions())
+    table.add({"position",
+               static_cast<double>(table.rows().size() + 1),
+               "1",
+               {{"item", std::string(item.id)},
+                {"chapter", std::string(title_of(item.chapter))},
+                {"title", std::string(item.title)}}});
+  if (!output_is_for_programs(options)) print_list_for_people();
+  write_results(table, provenance, options);
+}
+
+bool is_everything(const std::vector<const Reproduction*>& items) {
+  return items.size() == reproductions().size();
+}
+
+/// --out, or a folder below results/ that keeps a full run, one item alone and runs of other presets apart.
+std::string output_folder(const std::vector<const Reproduction*>& items, const ReproduceOptions& options) {
+  if (!options.out.empty()) return options.out;
+  std::string name = "reproduce";
+  if (!is_everything(items)) name = items.size() == 1 ? items.front()->id : "reproduce-selection";
+  return "results/" + name + (options.preset == "quick" ? "" : "-" + options.preset);
+}
+
+/// The items as they would be typed.
+std::string item_of(const std::vector<const Reproduction*>& items, const std::string& preset) {
+  std::string text;
+  if (is_everything(items))
+    text = "all ";
+  else
+    for (const Reproduction* item : items) text += std::string(item->id) + " ";
+  return text + "--preset " + preset;
 }
 
 ResultTable all_rows(const std::vector<FinishedReproduction>& finished) {
@@ -63,13 +102,12 @@ void write_everything(const std::vector<FinishedReproduction>& finished, const L
   for (const FinishedReproduction& f : finished)
     if (f.failure.empty()) file_reproduction(f, folder);
   write_text_file(folder / "rows.csv", to_csv(all_rows(finished)));
-  write_run_json(provenance, folder);
   write_report(assemble_report(finished, laboratory, provenance), folder / "report.html");
 }
 
 void run_reproduce(const Invocation& invocation, const ReproduceOptions& options) {
   if (options.list) {
-    print_list();
+    list(invocation, options.common);
     return;
   }
   const auto items = select_reproductions(options.ids);
@@ -83,13 +121,17 @@ void run_reproduce(const Invocation& invocation, const ReproduceOptions& options
                          .on_view = [&bar](const RenderingTally& tally) {
                            bar.remark(fmt::format("{} views rendered", tally.rendered));
                          }});
-  const auto finished = run_items(items, laboratory, bar, options.common);
-  bar.clear();
-  finish_provenance(provenance);
-  write_everything(finished, laboratory, provenance, options.out);
+  std::vector<FinishedReproduction> finished;
+  const std::string out = output_folder(items, options), item = item_of(items, options.preset);
+  write_result_folder({out, "reproduce", item, options.force}, provenance, [&](const fs::path& folder) {
+    finished = run_items(items, laboratory, bar, options.common);
+    bar.clear();
+    finish_provenance(provenance);
+    write_everything(finished, laboratory, provenance, folder);
+  });
   write_results(all_rows(finished), provenance, options.common);
   tell(options.common, fmt::format("done in {}\n{}", format_duration(provenance.duration_s),
-                                   fs::absolute(fs::path(options.out) / "report.html").string()));
+                                   fs::absolute(fs::path(out) / "report.html").string()));
   for (const FinishedReproduction& f : finished)
     if (!f.failure.empty()) throw InputError(fmt::format("{} could not be run: {}", f.item->id, f.failure));
 }
@@ -100,12 +142,16 @@ void add_reproduce_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ReproduceOptions>();
   app.add_option("ids", options->ids, "What to reproduce (default: everything), see --list");
   app.add_flag("--list", options->list, "List what can be reproduced");
-  app.add_option("-o,--out", options->out, "Folder for the report and its figures")->capture_default_str();
+  app.add_option(
+         "-o,--out", options->out,
+         "Folder for the report and its figures (default: results/reproduce, for one item results/ID)")
+      ->check(not_empty());
   app.add_option("--preset", options->preset,
                  "quick: minutes; paper: the thesis' grids, hours; tiny: a check that everything works")
-      ->check(CLI::IsMember({"tiny", "quick", "paper"}))
+      ->check(one_of({"tiny", "quick", "paper"}))
       ->capture_default_str();
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
       "Examples: plenolab reproduce\n"

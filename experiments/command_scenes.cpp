@@ -41,11 +41,8 @@ void run_scenes(const Invocation& invocation, const CommonOptions& options) {
     text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} quick: {}\n{:<15} paper: {}\n\n", scene.id, scene.title,
                         "", scene.description, "", preset_line(scene.quick), "", preset_line(scene.paper));
   }
-  if (options.json.empty() && options.csv.empty()) {
-    fmt::print("{}", text);
-    return;
-  }
-  emit_results(table, provenance, options);
+  if (!output_is_for_programs(options)) fmt::print("{}", text);
+  write_results(table, provenance, options);
 }
 
 }  // namespace

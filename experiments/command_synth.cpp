@@ -13,6 +13,7 @@
 #include "core/synthesis/synthesizer.h"
 #include "core/synthesis/visibility_map.h"
 #include "experiments/cli/arguments.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/synthesis_options.h"
@@ -42,10 +43,8 @@ void write_image(const std::string& path, const SceneImage& image) {
 void write_image(const std::string& path, const DisplayImage& image) {
   if (is_display_file(path))
     write_display_image(path, image);
-  else {
-    require_extension(path, ".exr");
+  else
     write_exr(path, image);
-  }
 }
 
 /// One plane of a correspondence's property in key view `index`.
@@ -85,10 +84,11 @@ struct PixelIndex {
 };
 
 PixelIndex parse_pixel(const std::string& text, const ViewGrid& grid) {
-  const CameraPosition p = parse_position(text);
+  const CameraPosition p = parse_position(text, "--inspect");
   if (!(p.s >= 0 && p.t >= 0 && p.s < grid.width && p.t < grid.height) || p.s != std::floor(p.s) ||
       p.t != std::floor(p.t))
-    throw UsageError(fmt::format("'{}' is not a pixel X,Y of the {}×{} view", text, grid.width, grid.height));
+    throw UsageError(
+        fmt::format("--inspect: '{}' is not a pixel X,Y of the {}×{} view", text, grid.width, grid.height));
   return {static_cast<int>(p.s), static_cast<int>(p.t)};
 }
 
@@ -135,12 +135,14 @@ ResultTable summary(const NovelView<Referral>& view) {
 template <class Referral>
 void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOptions& options,
                           Provenance& provenance) {
+  const CameraPosition position = parse_position(options.at, "--at");
+  require_on_grid(position, field.grid(), "--at");
   std::optional<PixelIndex> inspected;
   if (!options.inspect.empty()) inspected = parse_pixel(options.inspect, field.grid());
   SynthesisOptions synthesis = options.synthesis;
   synthesis.threads = options.common.threads;
   synthesis.record_provenance = !options.provenance.empty() || !options.inspect.empty();
-  const NovelView<Referral> view = synthesize(field, parse_position(options.at), synthesis);
+  const NovelView<Referral> view = synthesize(field, position, synthesis);
   ResultTable table = summary(view);
   if (inspected) table.append(inspect_pixel(view, *inspected));
   write_image(options.out, view.image);
@@ -151,9 +153,11 @@ void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOpt
 }
 
 void run_synth(const Invocation& invocation, const SynthOptions& options) {
-  if (!options.provenance.empty()) require_extension(options.provenance, ".exr");
+  require_fitting(options.synthesis);
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
+  if (std::holds_alternative<DisplayLightField>(any) && !is_display_file(options.out))
+    require_extension(options.out, ".exr");
   add_input(provenance, options.folder);
   std::visit([&](const auto& field) { synthesize_and_write(field, options, provenance); }, any);
 }
@@ -167,15 +171,18 @@ void add_synth_command(CLI::App& app, const Invocation& invocation) {
       ->required();
   app.add_option("-o,--out", options->out,
                  "Image to write: .exr .hdr .pfm keep radiance, .png is exposed for display")
-      ->required();
+      ->required()
+      ->check(file_ending_in({".exr", ".hdr", ".pfm", ".png"}));
   app.add_option("--visibility", options->visibility,
-                 "Also write the visibility map (.png): green = seen by all key views, red = by none");
+                 "Also write the visibility map (.png): green = seen by all key views, red = by none")
+      ->check(file_ending_in({".png"}));
   app.add_option(
-      "--provenance", options->provenance,
-      "Also write, for each key view, where every pixel came from (.exr, channels cCrR.x .y .disparity "
-      ".weight .state .probes)");
+         "--provenance", options->provenance,
+         "Also write, for each key view, where every pixel came from (.exr, channels cCrR.x .y .disparity "
+         ".weight .state .probes)")
+      ->check(file_ending_in({".exr"}));
   app.add_option("--inspect", options->inspect, "Print where the pixel X,Y came from");
-  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+  add_memory_option(app, options->memory_mib);
   add_synthesis_options(app, options->synthesis);
   add_common_options(app, options->common);
   app.footer("Example: plenolab synth results/cellar --at 1.5,0.5 -o novel.exr --visibility visibility.png");

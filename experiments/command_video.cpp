@@ -8,12 +8,13 @@
 #include "core/image/colour.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
-#include "core/lightfield/new_folder.h"
 #include "core/synthesis/synthesizer.h"
 #include "experiments/cli/arguments.h"
+#include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
 #include "experiments/cli/synthesis_options.h"
 #include "experiments/score.h"
 
@@ -30,6 +31,7 @@ struct VideoOptions {
   int frames = 60;
   double exposure = 0;
   int memory_mib = 2048;
+  bool force = false;
 };
 
 void write_frames(
@@ -54,9 +56,6 @@ void write_frames(
     const DisplayLightField& field, const std::vector<CameraPosition>& positions, const VideoOptions& options,
     const fs::path& folder,
     const std::function<void(std::size_t, const fs::path&, const NovelView<DisplayReferred>&)>& written) {
-  if (options.format == "exr")
-    throw UsageError(
-        "the frames of a display-referred light field are written as .png: leave out --format exr");
   DisplaySynthesizer(field).synthesize_sequence(
       positions, options.synthesis, [&](std::size_t index, NovelView<DisplayReferred>&& view) {
         const fs::path file = folder / fmt::format("frame_{:04}.png", index);
@@ -65,11 +64,13 @@ void write_frames(
       });
 }
 
-void require_path_on_grid(const std::vector<CameraPosition>& positions, const ViewGrid& grid) {
-  for (const CameraPosition& p : positions)
-    if (!grid.contains(p))
-      throw InputError(fmt::format("the path leaves the grid at {:g},{:g}: it ends at {},{}", p.s, p.t,
-                                   grid.columns - 1, grid.rows - 1));
+void require_fitting_format(const AnyLightField& any, const VideoOptions& options) {
+  const bool display_referred = std::holds_alternative<DisplayLightField>(any);
+  if (display_referred && options.format == "exr")
+    throw UsageError(
+        "--format exr: the frames of a display-referred light field are written as .png, leave it out");
+  if (options.exposure > 0 && (display_referred || options.format != "png"))
+    throw UsageError("--exposure is for --format png of a light field with radiance");
 }
 
 /// Writes all frames below `folder` and says what each took.
@@ -92,16 +93,17 @@ ResultTable make_video(const AnyLightField& any, const std::vector<CameraPositio
 
 void run_video(const Invocation& invocation, VideoOptions& options) {
   const std::vector<CameraPosition> positions = parse_path(options.path, options.frames);
+  require_fitting(options.synthesis);
   options.synthesis.threads = options.common.threads;
   Provenance provenance = begin_run(invocation, options.common);
   const AnyLightField any = open_any_light_field(options.folder, options.memory_mib);
   add_input(provenance, options.folder);
-  require_path_on_grid(positions, grid_of(any));
+  for (const CameraPosition& position : positions) require_on_grid(position, grid_of(any), "--path");
+  require_fitting_format(any, options);
   ResultTable table;
-  write_folder_atomically(options.out, [&](const fs::path& folder) {
+  const std::string item = fmt::format("{} --path {}", item_path(options.folder), options.path);
+  write_result_folder({options.out, "video", item, options.force}, provenance, [&](const fs::path& folder) {
     table = make_video(any, positions, options, folder);
-    finish_provenance(provenance);
-    write_run_json(provenance, folder);
     write_text_file(folder / "frames.csv", to_csv(table));
   });
   tell(options.common, fmt::format("wrote {} frames to {}", positions.size(), options.out));
@@ -116,16 +118,19 @@ void add_video_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("folder", options->folder, "Folder of the light field")->required();
   app.add_option("--path", options->path, "Camera path S0,T0:S1,T1[:S2,T2...]")->required();
   app.add_option("--frames", options->frames, "Frames along the path, both ends included")
-      ->check(CLI::Range(1, 100000))
+      ->check(whole_number(1, 100000))
       ->capture_default_str();
-  app.add_option("-o,--out", options->out, "Folder for frame_0000.exr, ... and frames.csv")->required();
+  app.add_option("-o,--out", options->out, "Folder for frame_0000.exr, ... and frames.csv")
+      ->required()
+      ->check(not_empty());
   app.add_option("--format", options->format,
                  "exr keeps radiance (default), png is exposed for display at one exposure (default of "
                  "display-referred light fields)")
-      ->check(CLI::IsMember({"exr", "png"}));
-  app.add_option("--exposure", options->exposure, "Exposure of .png frames")->check(CLI::PositiveNumber);
-  app.add_option("--memory", options->memory_mib, "Memory for loaded views in MiB")->capture_default_str();
+      ->check(one_of({"exr", "png"}));
+  app.add_option("--exposure", options->exposure, "Exposure of .png frames")->check(positive_number());
+  add_memory_option(app, options->memory_mib);
   add_synthesis_options(app, options->synthesis);
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer("Example: plenolab video results/cellar --path 0,1:4,1 --frames 60 -o frames");
   app.callback([options, &invocation] { run_video(invocation, *options); });

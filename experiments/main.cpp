@@ -1,22 +1,26 @@
 #include <fmt/format.h>
+#include <signal.h>
 
 #include <CLI/CLI.hpp>
 #include <exception>
+#include <functional>
+#include <new>
 
 #include "core/base/error.h"
+#include "experiments/cli/standard_streams.h"
+#include "experiments/cli/stop_signals.h"
+#include "experiments/cli/usage.h"
 #include "experiments/commands.h"
 
 namespace {
 
+constexpr int kDone = 0;
 constexpr int kFailed = 1;
 constexpr int kWrongUse = 2;
 
-void say(const std::string& message) {
-  fmt::print(stderr, "plenolab: {}\n", message);
-}
-
-int run(int argc, char** argv) {
-  plenolab::Invocation invocation{{argv, argv + argc}};
+void run(int argc, char** argv) {
+  const plenolab::Invocation invocation{{argv, argv + argc}};
+  require_known_command(invocation, plenolab::commands());
   CLI::App app{"plenolab: a laboratory for HDR light fields", "plenolab"};
   app.require_subcommand(1);
   app.set_version_flag("--version", PLENOLAB_VERSION);
@@ -27,28 +31,36 @@ int run(int argc, char** argv) {
   }
   try {
     app.parse(argc, argv);
-  } catch (const CLI::Success& success) {
-    return app.exit(success);
+  } catch (const CLI::Success& help_or_version) {
+    app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
-    say(fmt::format("{} (see 'plenolab {}--help')", error.what(),
-                    app.get_subcommands().empty() ? "" : app.get_subcommands().front()->get_name() + " "));
-    return kWrongUse;
+    throw plenolab::UsageError(plenolab::explain(app, error));
   }
-  return 0;
+}
+
+/// Runs `action` and says on stderr what went wrong.
+int status_of(const std::function<void()>& action) {
+  const auto failed = [](const std::string& message, int status) {
+    fmt::print(stderr, "plenolab: {}\n", message);
+    return status;
+  };
+  try {
+    action();
+    return kDone;
+  } catch (const plenolab::UsageError& error) {
+    return failed(error.what(), kWrongUse);
+  } catch (const std::bad_alloc&) {
+    return failed("out of memory: use a smaller image, fewer views or a lower memory bound", kFailed);
+  } catch (const std::exception& error) {
+    return failed(error.what(), kFailed);
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const plenolab::UsageError& error) {
-    say(error.what());
-    return kWrongUse;
-  } catch (const std::bad_alloc&) {
-    say("out of memory: use a smaller image, fewer views or a lower memory bound");
-  } catch (const std::exception& error) {
-    say(error.what());
-  }
-  return kFailed;
+  plenolab::reserve_standard_streams();
+  plenolab::clean_up_on_stop_signals();
+  ::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error like a full disk
+  return status_of([&] { plenolab::print_whole([&] { run(argc, argv); }); });
 }

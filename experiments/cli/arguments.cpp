@@ -45,21 +45,20 @@ CameraPosition point_at(const std::vector<CameraPosition>& corners, double along
 
 }  // namespace
 
-CameraPosition parse_position(const std::string& text) {
+CameraPosition parse_position(const std::string& text, const std::string& option) {
   const auto parts = split(text, ',');
   CameraPosition position;
   if (parts.size() != 2 || !parse_number(parts[0], position.s) || !parse_number(parts[1], position.t))
-    throw UsageError(
-        fmt::format("'{}' is not a camera position: give S,T in view spacings, e.g. 1.5,0.5", text));
+    throw UsageError(fmt::format("{}: '{}' is not a position: give two numbers as in 1.5,0.5", option, text));
   return position;
 }
 
 std::vector<CameraPosition> parse_path(const std::string& text, int frames) {
-  if (frames < 1) throw UsageError(fmt::format("a path needs at least one frame, not {}", frames));
+  if (frames < 1) throw UsageError(fmt::format("--frames: a path needs at least one frame, not {}", frames));
   std::vector<CameraPosition> corners;
-  for (const std::string& part : split(text, ':')) corners.push_back(parse_position(part));
+  for (const std::string& part : split(text, ':')) corners.push_back(parse_position(part, "--path"));
   if (corners.size() < 2)
-    throw UsageError(fmt::format("'{}' is not a path: give S0,T0:S1,T1, e.g. 0,1:4,1", text));
+    throw UsageError(fmt::format("--path: '{}' is not a path: give S0,T0:S1,T1, e.g. 0,1:4,1", text));
   double length = 0;
   for (std::size_t i = 1; i < corners.size(); ++i) length += distance(corners[i - 1], corners[i]);
   std::vector<CameraPosition> positions;

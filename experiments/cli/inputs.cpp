@@ -9,6 +9,7 @@
 #include "core/io/image_file.h"
 #include "core/lightfield/hci.h"
 #include "core/lightfield/light_field_folder.h"
+#include "experiments/cli/checks.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -23,8 +24,7 @@ std::string lower_extension(const fs::path& path) {
 }  // namespace
 
 AnyLightField open_any_light_field(const fs::path& folder, int memory_mib) {
-  if (memory_mib < 1)
-    throw UsageError(fmt::format("the memory bound must be at least 1 MiB, not {}", memory_mib));
+  PLENOLAB_CHECK(memory_mib > 0, fmt::format("{}", memory_mib));
   const std::size_t bound = static_cast<std::size_t>(memory_mib) << 20;
   if (!fs::exists(folder)) throw InputError(fmt::format("{} does not exist", folder.string()));
   if (!fs::is_directory(folder))
@@ -53,6 +53,20 @@ void require_extension(const fs::path& path, const std::string& extension) {
         fmt::format("{} cannot be written: give a name that ends in {}", path.string(), extension));
 }
 
+void require_on_grid(CameraPosition position, const ViewGrid& grid, const std::string& option) {
+  if (!grid.contains(position))
+    throw UsageError(
+        fmt::format("{}: {:g},{:g} is outside the {}×{} grid: S goes from 0 to {}, T from 0 to {}", option,
+                    position.s, position.t, grid.columns, grid.rows, grid.columns - 1, grid.rows - 1));
+}
+
+void add_memory_option(CLI::App& app, int& memory_mib) {
+  constexpr int kMost_mib = 1 << 22;
+  app.add_option("--memory", memory_mib, "Memory for loaded views in MiB")
+      ->check(whole_number(1, kMost_mib))
+      ->capture_default_str();
+}
+
 bool is_display_file(const fs::path& path) {
   return lower_extension(path) == ".png";
 }
@@ -69,7 +83,8 @@ std::vector<fs::path> image_files(const fs::path& folder) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string extension = lower_extension(entry.path());
-    if (std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end())
+    const bool hidden = entry.path().filename().string().starts_with('.');  // e.g. left by a killed process
+    if (!hidden && std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end())
       files.push_back(entry.path());
   }
   if (files.empty())

@@ -7,22 +7,33 @@
 #include "core/image/image.h"
 #include "core/lightfield/light_field.h"
 
+namespace CLI {
+class App;
+}
+
 namespace plenolab {
 
 /// A light field of either meaning, as found on disk.
 using AnyLightField = std::variant<LightField, DisplayLightField>;
 
-/// Opens a light field folder or an HCI benchmark folder with at most `memory_mib` MiB of views in memory.
-/// Throws InputError if the folder is neither.
+/// Opens a light field folder or an HCI benchmark folder with at most `memory_mib` ≥ 1 MiB of views in
+/// memory. Throws InputError if the folder is neither.
 AnyLightField open_any_light_field(const std::filesystem::path& folder, int memory_mib = 2048);
 
 const ViewGrid& grid_of(const AnyLightField& light_field);
+
+/// Declares --memory for open_any_light_field.
+void add_memory_option(CLI::App& app, int& memory_mib);
+
+/// Throws UsageError that names the option and the grid unless the position lies on it.
+void require_on_grid(CameraPosition position, const ViewGrid& grid, const std::string& option);
 
 /// An image of either meaning; the extension decides (.png = display-referred).
 using AnyImage = std::variant<SceneImage, DisplayImage>;
 AnyImage read_any_image(const std::filesystem::path& path);
 
-/// Image files of a folder (frames of a video), sorted by name. Throws InputError if there are none.
+/// Image files of a folder (frames of a video) that are not hidden, sorted by name. Throws InputError if
+/// there are none.
 std::vector<std::filesystem::path> image_files(const std::filesystem::path& folder);
 
 /// Throws UsageError unless the file's extension is `extension` (with its dot), which is what will be

@@ -8,12 +8,14 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "experiments/cli/checks.h"
 
 namespace plenolab {
 
 namespace {
 
 constexpr const char* kStageLeftOut = "stage_left_out";
+constexpr auto kReplaceWrongUtf8 = nlohmann::ordered_json::error_handler_t::replace;
 
 std::string text_of(const ResultRow& row, const std::string& column) {
   for (const auto& [name, cell] : row.columns)
@@ -34,15 +36,21 @@ void print_for_people(const ResultTable& results) {
 }  // namespace
 
 void add_common_options(CLI::App& app, CommonOptions& options) {
-  app.add_option("--json", options.json, "Write results as JSON to this file ('-' = standard output)");
-  app.add_option("--csv", options.csv, "Write results as tidy CSV to this file ('-' = standard output)");
-  app.add_option("--seed", options.seed, "Seed of all randomness")->capture_default_str();
+  app.add_option("--json", options.json, "Write results as JSON to this file ('-' = standard output)")
+      ->check(not_empty());
+  app.add_option("--csv", options.csv, "Write results as tidy CSV to this file ('-' = standard output)")
+      ->check(not_empty());
+  app.add_option("--seed", options.seed, "Seed of all randomness")
+      ->capture_default_str()
+      ->check(seed_number());
   app.add_option("--threads", options.threads, "Threads, 0 = all cores")
       ->capture_default_str()
-      ->check(CLI::Range(0, 1024));
+      ->check(whole_number(0, 1024));
 }
 
 Provenance begin_run(const Invocation& invocation, const CommonOptions& options) {
+  if (options.json == "-" && options.csv == "-")
+    throw UsageError("--json - and --csv - cannot both have standard output: give one of them a file");
   Provenance provenance = start_provenance(invocation.arguments);
   provenance.seed = options.seed;
   provenance.parameters["threads"] = options.threads;
@@ -54,8 +62,6 @@ bool output_is_for_programs(const CommonOptions& options) {
 }
 
 void write_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
-  if (options.json == "-" && options.csv == "-")
-    throw UsageError("JSON and CSV cannot both go to standard output: give one of them a file");
   finish_provenance(provenance);
   if (!options.json.empty()) {
     const std::string json = results_to_json_text(provenance_to_json(provenance), results);
@@ -68,7 +74,6 @@ void write_results(const ResultTable& results, Provenance& provenance, const Com
     fmt::print("{}", to_csv(results));
   else if (!options.csv.empty())
     write_text_file(options.csv, to_csv(results));
-  if (std::fflush(stdout) != 0) throw InputError("cannot write the results to standard output");
 }
 
 void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options) {
@@ -84,7 +89,8 @@ void tell(const CommonOptions& options, const std::string& line) {
 
 void write_run_json_beside(const std::filesystem::path& file, Provenance& provenance) {
   finish_provenance(provenance);
-  write_text_file(file.string() + ".run.json", provenance_to_json(provenance).dump(2) + "\n");
+  write_text_file(file.string() + ".run.json",
+                  provenance_to_json(provenance).dump(2, ' ', false, kReplaceWrongUtf8) + "\n");
 }
 
 std::filesystem::path render_cache_folder(const std::string& option) {

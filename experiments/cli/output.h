@@ -36,7 +36,8 @@ void emit_results(const ResultTable& results, Provenance& provenance, const Comm
 /// their own.
 void write_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options);
 
-/// Starts the provenance of a command with its common options.
+/// Starts the provenance of a command with its common options. Throws UsageError if JSON and CSV both go to
+/// standard output.
 Provenance begin_run(const Invocation& invocation, const CommonOptions& options);
 
 /// One line on stdout for people, e.g. which file was written; silent when results for programs go to stdout.

@@ -12,9 +12,9 @@ namespace plenolab {
 namespace {
 
 TEST(Arguments, PositionsAreTwoFiniteNumbers) {
-  EXPECT_EQ(parse_position("1.5,-2"), (CameraPosition{1.5, -2}));
+  EXPECT_EQ(parse_position("1.5,-2", "--at"), (CameraPosition{1.5, -2}));
   for (const char* text : {"", "1", "1,", "1,2,3", "a,b", "1,nan", "1, 2", "inf,0"})
-    EXPECT_THROW(parse_position(text), UsageError) << text;
+    EXPECT_THROW(parse_position(text, "--at"), UsageError) << text;
 }
 
 TEST(Arguments, PathsAreSpreadEvenlyAndReachBothEndsExactly) {

@@ -1,16 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
 #include "core/io/exr.h"
-#include "core/lightfield/light_field_folder.h"
 #include "experiments/commands.h"
-#include "tests/experiments/run_program.h"
+#include "tests/experiments/plane_field.h"
 
 namespace plenolab {
 namespace {
@@ -22,43 +20,12 @@ fs::path outside_data() {
   return folder ? folder : "";
 }
 
-/// A textured plane at `disparity_px`, seen by 3×3 cameras; `sign` −1 makes views that move the wrong way.
-LightField plane_field(float disparity_px, double sign = 1) {
-  const ViewGrid grid{3, 3, 0.1, 0.1, 48, 32, 60};
-  std::vector<KeyView<SceneReferred>> views;
-  for (int row = 0; row < 3; ++row)
-    for (int column = 0; column < 3; ++column) {
-      KeyView<SceneReferred> view{SceneImage(48, 32), DisparityMap(48, 32, disparity_px)};
-      for (int y = 0; y < 32; ++y)
-        for (int x = 0; x < 48; ++x) {
-          const double u = x + sign * column * disparity_px, v = y + sign * row * disparity_px;
-          const double value = 2 + std::sin(0.9 * u) + 0.7 * std::cos(0.8 * v + 0.3 * u);
-          view.colour.at(x, y) = Rgb{1, 0.9f, 0.8f} * static_cast<float>(value);
-        }
-      views.push_back(std::move(view));
-    }
-  return LightField::from_views(grid, RadianceUnit::kRelative, "plane", std::move(views));
-}
-
-fs::path written_plane(const fs::path& folder, double sign = 1) {
-  write_light_field(folder, plane_field(3, sign), {.colour_type = ExrPixelType::kFloat});
-  return folder;
-}
-
 void replace_in_file(const fs::path& file, const std::string& from, const std::string& to) {
   std::string text = read_text_file(file);
   const auto at = text.find(from);
   ASSERT_NE(at, std::string::npos) << from;
   text.replace(at, from.size(), to);
   write_text_file(file, text);
-}
-
-/// The promise of every failure: exit status 1, one line on stderr, nothing on stdout.
-void expect_one_clear_sentence(const ProgramResult& result, const std::string& mentions) {
-  EXPECT_EQ(result.status, 1) << result.err;
-  EXPECT_TRUE(result.err.starts_with("plenolab: ")) << result.err;
-  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
-  EXPECT_NE(result.err.find(mentions), std::string::npos) << result.err;
 }
 
 TEST(Program, EveryCommandExplainsItselfWithAnExample) {
@@ -68,14 +35,6 @@ TEST(Program, EveryCommandExplainsItselfWithAnExample) {
     EXPECT_NE(result.out.find("Example"), std::string::npos) << command.name;
     EXPECT_NE(result.out.find(std::string("plenolab ") + command.name), std::string::npos) << command.name;
   }
-}
-
-TEST(Program, WrongUseEndsWithTwo) {
-  EXPECT_EQ(run_program({}).status, 2);
-  EXPECT_EQ(run_program({"no-such-command"}).status, 2);
-  EXPECT_EQ(run_program({"synth", "folder"}).status, 2);
-  EXPECT_EQ(run_program({"scenes", "--threads", "-3"}).status, 2);
-  EXPECT_EQ(run_program({"reproduce", "altmeier-fig-999"}).status, 2);
 }
 
 TEST(Program, DamagedExrFilesGiveOneSentenceOrAnImagePromptlyWithinOneGib) {
@@ -149,14 +108,6 @@ TEST(Program, SynthOnAKeyViewReproducesThatViewExactly) {
   EXPECT_TRUE(fs::exists(out.string() + ".run.json"));
 }
 
-TEST(Program, PositionsOutsideTheGridAreRefusedAndLeaveNothing) {
-  const TemporaryFolder folder;
-  const fs::path field = written_plane(folder.path() / "field");
-  const fs::path out = folder.path() / "novel.exr";
-  expect_one_clear_sentence(run_program({"synth", field, "--at", "2.5,1", "-o", out}), "2.5");
-  EXPECT_FALSE(fs::exists(out));
-}
-
 TEST(Program, EvaluateWritesTheSameRowsAsJsonAndCsv) {
   const TemporaryFolder folder;
   const fs::path field = written_plane(folder.path() / "field");
@@ -201,18 +152,6 @@ TEST(Program, CsvGoesToStandardOutputAlone) {
   EXPECT_EQ(run_program({"info", field, "--csv", "-", "--json", "-"}).status, 2);
 }
 
-TEST(Program, OptionsThatDoNotApplyAreWrongUse) {
-  const TemporaryFolder folder;
-  const fs::path field = written_plane(folder.path() / "field"), out = folder.path() / "out";
-  EXPECT_EQ(run_program({"convert", field, "--spacing-x", "0.2", "-o", out}).status, 2);
-  EXPECT_EQ(run_program({"convert", field, "--linear", "-o", out}).status, 2);
-  EXPECT_EQ(run_program({"synth", field, "--at", "0,0", "-o", out / "x.exr", "--provenance", "p.png"}).status,
-            2);
-  fs::remove(field / "lightfield.json");
-  EXPECT_EQ(run_program({"convert", field, "-o", out}).status, 2);
-  EXPECT_FALSE(fs::exists(out));
-}
-
 TEST(Program, FramesOfAVideoMakeAnEpi) {
   const TemporaryFolder folder;
   const fs::path field = written_plane(folder.path() / "field");
@@ -226,17 +165,6 @@ TEST(Program, FramesOfAVideoMakeAnEpi) {
   EXPECT_EQ(image.width(), 48);
   EXPECT_EQ(image.height(), 5);
   EXPECT_EQ(image.at(20, 0), plane_field(3).view(0, 1)->colour.at(20, 16));
-}
-
-TEST(Program, AnExistingFolderIsNeverOverwritten) {
-  const TemporaryFolder folder;
-  const fs::path field = written_plane(folder.path() / "field");
-  const fs::path precious = folder.path() / "precious";
-  write_text_file(precious / "notes.txt", "kept");
-  expect_one_clear_sentence(run_program({"convert", field, "-o", precious}), "precious");
-  expect_one_clear_sentence(run_program({"video", field, "--path", "0,1:2,1", "-o", precious}), "precious");
-  EXPECT_EQ(read_text_file(precious / "notes.txt"), "kept");
-  EXPECT_EQ(std::distance(fs::directory_iterator(precious), {}), 1);
 }
 
 TEST(Program, RendererFoldersWithTheirOwnChannelNamesAreEvaluatedAsTheyAre) {
