@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/tonemap/statistics.h"
+#include "core/tonemap/colour_ratio.h"
 #include "core/tonemap/tone_mapped.h"
 
 namespace plenolab {
@@ -31,8 +31,8 @@ struct HistogramOptions {
   double tolerance = 0.025;  ///< trimming ends when a pass trims at most this share of the initial total
   std::optional<int> fixed_passes;  ///< exactly so many passes instead (thesis: 4 for Cellar); 0 … 1000
   double display_max_cd_m2 = 300, display_min_cd_m2 = 0.3;
-  double colour_exponent = 0.7;  ///< [0, 1]
-  double cd_m2_per_unit = 1;     ///< (0, 1e12]
+  double colour_exponent = kColourExponent;  ///< [0, 1]
+  double cd_m2_per_unit = 1;                 ///< (0, 1e12]
   void validate() const;
 };
 
@@ -71,7 +71,7 @@ struct HistogramParameters {
   std::vector<double> cumulative;   ///< p at the bins + 1 bin edges, 0 … 1, never falling; empty if linear
   std::vector<TrimmingPass> passes;
   double log_display_min = 0, log_display_max = 0;  ///< log10 cd/m²
-  double colour_exponent = 0.7;
+  double colour_exponent = kColourExponent;
 };
 
 /// Trims the histogram and sums it up. Nothing is to be done if the range fits the display, and too little is

@@ -111,7 +111,7 @@ struct OperatorInfo {
 };
 
 /// All operators, in the order in which they are listed.
-const std::vector<OperatorInfo>& operators();
+const std::vector<OperatorInfo>& tone_mapping_operators();
 
 /// Throw InputError that lists what there is.
 const OperatorInfo& find_operator(std::string_view id);

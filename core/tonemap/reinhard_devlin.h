@@ -1,10 +1,9 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <span>
 
-#include "core/tonemap/adaptation.h"
+#include "core/tonemap/photoreceptor.h"
 #include "core/tonemap/statistics.h"
 #include "core/tonemap/tone_mapped.h"
 
@@ -41,13 +40,8 @@ void validate(const LumaLimits& manual);
 /// The smallest limits that enclose both.
 LumaLimits enclose(const LumaLimits& a, const LumaLimits& b);
 
-struct ReinhardDevlinParameters {
-  double contrast = 0.5;  ///< m
-  double factor = 1;      ///< e^(−b)
-  double colour_adaptation = 0, light_adaptation = 1;
-  std::array<double, 3> global_level{};  ///< I_global per channel
-  double exposure = 1;
-};
+/// What apply needs: the curve with its global levels.
+using ReinhardDevlinParameters = Photoreceptor;
 
 /// m of statistics by the automatic formula.
 double automatic_contrast(const ImageStatistics& statistics);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/tonemap/photoreceptor.h"
 #include "core/tonemap/statistics.h"
 #include "core/tonemap/tone_mapped.h"
 
@@ -10,10 +11,11 @@ namespace plenolab {
 ///  - radiance is taken relative to the robust log average, so that the unit does not matter;
 ///  - k = (log p99 − log average)/(log p99 − log p1) instead of the extremes (0.5 for a zero range);
 ///  - the output is not normalised by the extremes of its luma: with V(p1) and V(p99) known from the curve,
-///  luma
-///    goes through straight lines (0, 0), (V(p1), toe), (V(p99), 1 − shoulder), (1, 1). Nothing is clipped,
-///    and the gain between the percentiles never exceeds max_gain (the knots move apart around their centre
-///    instead), so that a flat view does not become noise.
+///    luma goes through the straight lines (0, 0), (V(p1), low), (V(p99), high), (1, 1), with low = toe and
+///    high = 1 − shoulder. Nothing is clipped. Between the percentiles luma rises by at most `max_slope` per
+///    log10 unit on average (low and high move together around their centre instead), so that a flat view
+///    does not become noise;
+///  - m is at most 0.9: at 1 the curve would no longer tell luminances apart.
 /// Fitted to statistics of key views blended bilinearly and adapted in time (adaptation.h), it follows
 /// changes of light that fill more than a percent of the view, with the time constant of the eye.
 ///
@@ -25,14 +27,12 @@ struct RobustAdaptiveOptions {
   double light_adaptation = 1;   ///< l in [0, 1]; global levels are those of grey at the log average
   double toe = 0.03;             ///< luma of the first percentile, [0, 0.4]
   double shoulder = 0.08;        ///< luma kept for what is above the 99th, [0, 0.4]
-  double max_gain = 4;           ///< [1, 100]
+  double max_slope = 1;          ///< luma per log10 unit of luminance, [0.05, 10]
   void validate() const;
 };
 
 struct RobustAdaptiveParameters {
-  double scale = 1;  ///< 1 / average, in 1 / unit
-  double contrast = 0.5, factor = 1;
-  double colour_adaptation = 0, light_adaptation = 1;
+  Photoreceptor receptor;               ///< its exposure is 1 / average
   double knot_low = 0, luma_low = 0;    ///< V and luma of the lower knot
   double knot_high = 1, luma_high = 1;  ///< V and luma of the upper knot
 };

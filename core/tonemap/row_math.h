@@ -2,6 +2,8 @@
 
 #include <span>
 
+#include "core/image/image.h"
+
 namespace plenolab {
 
 /// Vectorised elementary functions over rows. They take the same steps for every instruction set, so results
@@ -20,7 +22,6 @@ void exp10_row(std::span<const float> x, std::span<float> out);
 void power_row(std::span<const float> x, float p, std::span<float> out);
 
 /// luminance(c) of each pixel.
-struct Rgb;
 void luminance_row(std::span<const Rgb> c, std::span<float> out);
 
 }  // namespace plenolab

@@ -1,0 +1,100 @@
+#include "core/tonemap/bilateral.h"
+#include "core/tonemap/operators/entries.h"
+
+namespace plenolab {
+
+namespace {
+
+const std::vector<Setting>& settings() {
+  static const BilateralToneOptions d;
+  static const std::vector<Setting> table{
+      {"sigma_s", d.sigma_s_share, 1e-4, 1, "of the larger side", "width of the filter in the image"},
+      {"sigma_l", d.sigma_log10, 1e-3, 100, "log10 units", "width of the filter in luminance"},
+      {"sigma_d", d.sigma_d_px, 1e-3, 1e6, "px of disparity", "width of the filter in disparity (enhanced)"},
+      {.name = "compression",
+       .default_value = 0.5,
+       .minimum = 1e-3,
+       .maximum = 1,
+       .help = "factor on the log base layer",
+       .automatic = "min(1, log10 5 / range of all bases)"},
+      {.name = "brightness",
+       .default_value = 0,
+       .minimum = -100,
+       .maximum = 100,
+       .unit = "log10 units",
+       .help = "subtracted from the log result",
+       .automatic = "compression times the largest base"},
+      {.name = "foreground",
+       .default_value = 0.5,
+       .minimum = 0,
+       .maximum = 4,
+       .help = "factor on the log foreground layer (enhanced)",
+       .automatic = "1 - compression"},
+      colour_exponent_setting(d.colour_exponent),
+      {.name = "filter",
+       .default_value = 0,
+       .minimum = 0,
+       .maximum = 1,
+       .help = "fast approximation, or the exact filter, which is slow",
+       .choices = {"fast", "exact"}},
+  };
+  return table;
+}
+
+BilateralToneOptions options_of(std::string_view variant, const SettingValues& values) {
+  BilateralToneOptions o;
+  o.enhanced = variant == "enhanced";
+  o.exact = number(settings(), values, "filter") == 1;
+  o.sigma_s_share = number(settings(), values, "sigma_s");
+  o.sigma_log10 = number(settings(), values, "sigma_l");
+  o.sigma_d_px = number(settings(), values, "sigma_d");
+  o.compression = number_unless_automatic(settings(), values, "compression");
+  o.brightness = number_unless_automatic(settings(), values, "brightness");
+  o.foreground_scale = number_unless_automatic(settings(), values, "foreground");
+  o.colour_exponent = number(settings(), values, "alpha");
+  return o;
+}
+
+BaseRange base_of_scope(const BilateralToneOptions& options, const FitScope& scope) {
+  const auto measure = [&](int i) {
+    const OperatorView view = scope.load(i);
+    return measure_base(
+        bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads));
+  };
+  BaseRange all = measure(0);
+  for (int i = 1; i < scope.views; ++i) all = merge(all, measure(i));
+  return all;
+}
+
+FittedOperator fit_entry(std::string_view variant, const SettingValues& values, const FitScope& scope) {
+  const BilateralToneOptions options = options_of(variant, values);
+  // Bases are only looked at where something depends on them.
+  const bool automatic = !options.compression || !options.brightness;
+  const BaseRange bases = automatic ? base_of_scope(options, scope) : BaseRange{};
+  const BilateralToneParameters p = fit(options, bases, scope.floor);
+  return {[p](const OperatorView& view, int threads) {
+            return apply(p, *view.colour, view.disparity.get(), threads);
+          },
+          {{"compression", p.compression, ""},
+           {"brightness", p.brightness, "log10 units"},
+           {"foreground_scale", p.foreground_scale, ""}},
+          {}};
+}
+
+}  // namespace
+
+OperatorInfo bilateral_entry() {
+  return {.id = "bilateral",
+          .title = "Bilateral filtering",
+          .description = "compressed base layer, untouched detail layer",
+          .source = "Durand & Dorsey 2002; thesis of Altmeier, sections 5.1.2 and 5.1.3",
+          .input_unit = "any",
+          .settings = settings(),
+          .variants = {{"naive", OperatorScope::kLightField, false, "layers of luminance"},
+                       {"enhanced", OperatorScope::kLightField, true,
+                        "no profiles across depth edges, half profiles on the foreground"}},
+          .fit = fit_entry,
+          .map_frame = {}};
+}
+
+}  // namespace plenolab

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/tonemap/operator.h"
+
+/// Entries of the table of operators, one source file each, and what they share. To add an operator: a file
+/// here that defines its entry, its declaration below, a line in operator_table.cpp.
+namespace plenolab {
+
+OperatorInfo bilateral_entry();
+OperatorInfo histogram_entry();
+OperatorInfo reinhard_devlin_entry();
+OperatorInfo reinhard_global_entry();
+OperatorInfo robust_adaptive_entry();
+
+/// The number of a setting that cannot be automatic; its default if `values` lacks it.
+double number(std::span<const Setting> settings, const SettingValues& values, std::string_view name);
+/// The number of a setting, nothing if it is automatic.
+std::optional<double> number_unless_automatic(std::span<const Setting> settings, const SettingValues& values,
+                                              std::string_view name);
+
+/// Statistics of a frame: those of the key views blended bilinearly, then adapted in time.
+Adapted<ImageStatistics> follow_statistics(const FrameInput& frame,
+                                           const std::optional<FrameState>& previous);
+
+/// The setting of the exponent of the colour ratio.
+Setting colour_exponent_setting(double default_value);
+
+}  // namespace plenolab

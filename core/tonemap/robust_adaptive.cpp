@@ -1,0 +1,98 @@
+#include "core/tonemap/robust_adaptive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/tonemap/map_rows.h"
+
+namespace plenolab {
+
+namespace {
+
+void check_share(const char* name, double value) {
+  if (!(value >= 0 && value <= 0.4))
+    throw InputError(fmt::format("the {} must lie in [0, 0.4], not {}", name, value));
+}
+
+constexpr double kLargestContrast = 0.9;
+
+/// Moves the lumas of the knots together around their centre where they would rise too fast.
+void limit_slope(double most, RobustAdaptiveParameters& p) {
+  if (p.luma_high - p.luma_low <= most) return;
+  const double centre = (p.luma_low + p.luma_high) / 2;
+  p.luma_low = centre - most / 2;
+  p.luma_high = centre + most / 2;
+}
+
+/// The three straight lines; the outer ones may be empty.
+class Knots {
+ public:
+  explicit Knots(const RobustAdaptiveParameters& p)
+      : low_(static_cast<float>(p.knot_low)),
+        high_(static_cast<float>(p.knot_high)),
+        luma_low_(static_cast<float>(p.luma_low)),
+        luma_high_(static_cast<float>(p.luma_high)),
+        toe_(slope(p.knot_low, p.luma_low)),
+        middle_(slope(p.knot_high - p.knot_low, p.luma_high - p.luma_low)),
+        shoulder_(slope(1 - p.knot_high, 1 - p.luma_high)) {}
+
+  float at(float v) const {
+    const float toe = toe_ * v;
+    const float middle = luma_low_ + middle_ * (v - low_);
+    const float shoulder = luma_high_ + shoulder_ * (v - high_);
+    const float below = v < low_ ? toe : middle;
+    return std::clamp(v < high_ ? below : shoulder, 0.0f, 1.0f);
+  }
+
+ private:
+  static float slope(double width, double height) {
+    return static_cast<float>(width > 0 ? height / width : 0);
+  }
+
+  float low_, high_, luma_low_, luma_high_, toe_, middle_, shoulder_;
+};
+
+}  // namespace
+
+void RobustAdaptiveOptions::validate() const {
+  validate_photoreceptor(brightness, colour_adaptation, light_adaptation);
+  check_share("toe", toe);
+  check_share("shoulder", shoulder);
+  if (!(max_slope >= 0.05 && max_slope <= 10))
+    throw InputError(
+        fmt::format("the largest slope must lie in [0.05, 10] luma per log10 unit, not {}", max_slope));
+}
+
+RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageStatistics& s) {
+  options.validate();
+  RobustAdaptiveParameters p;
+  // Within the range of float; statistics beyond 1e±37 keep their ratio to each other.
+  const double log_average = std::clamp(s.log_robust_average, -37.0, 37.0);
+  p.receptor.exposure = std::pow(10.0, -log_average);
+  p.receptor.contrast = std::min(kLargestContrast, contrast_of(s.log_p1, s.log_robust_average, s.log_p99));
+  p.receptor.factor = std::exp(-options.brightness);
+  p.receptor.colour_adaptation = options.colour_adaptation;
+  p.receptor.light_adaptation = options.light_adaptation;
+  p.receptor.global = {1, 1, 1};
+  p.luma_low = options.toe;
+  p.luma_high = 1 - options.shoulder;
+  p.knot_low = respond_to_grey(p.receptor, std::pow(10.0, s.log_p1));
+  p.knot_high = respond_to_grey(p.receptor, std::pow(10.0, s.log_p99));
+  limit_slope(options.max_slope * (s.log_p99 - s.log_p1), p);
+  return p;
+}
+
+ToneMapped apply(const RobustAdaptiveParameters& p, const SceneImage& view, int threads) {
+  const Knots knots(p);
+  return map_rows(
+      view, threads,
+      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers, MappingCounts&) {
+        respond_row(p.receptor, scene, out, buffers);
+        for (Rgb& v : out) v = {knots.at(v.r), knots.at(v.g), knots.at(v.b)};
+      });
+}
+
+}  // namespace plenolab
