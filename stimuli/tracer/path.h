@@ -75,7 +75,7 @@ class Path {
   std::array<float, 2> random_2d(Use use) const { return sampler_.get_2d(dimension(use)); }
 
   void cross_segment(float distance_m);
-  Rgb scattered_sunlight(const MediumSegment& segment);
+  Rgb scattered_sunlight(const MediumSegment& segment, const PathSampler& sampler);
   Rgb scattered_lamplight(const MediumSegment& segment);
   Rgb up_to(const MediumSegment& segment, float distance_m) const;
   void add_outside_light();

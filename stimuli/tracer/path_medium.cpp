@@ -8,11 +8,11 @@ Rgb Path::up_to(const MediumSegment& segment, float distance_m) const {
   return transmittance(inside_.absorption_per_m(), distance_m) * (medium * world_.medium.scattering_per_m);
 }
 
-Rgb Path::scattered_sunlight(const MediumSegment& segment) {
-  const MediumPoint at =
-      sample_transmittance(segment, extinction_per_m(world_.medium), random_1d(kMediumSunDistance));
+Rgb Path::scattered_sunlight(const MediumSegment& segment, const PathSampler& sampler) {
+  const MediumPoint at = sample_transmittance(segment, extinction_per_m(world_.medium),
+                                              sampler.get_1d(dimension(kMediumSunDistance)));
   const Vec3 position = ray_.origin + at.distance_m * ray_.direction;
-  const Vec3 direction = world_.sun.sample(random_2d(kMediumSun));
+  const Vec3 direction = world_.sun.sample(sampler.get_2d(dimension(kMediumSun)));
   const float phase = henyey_greenstein(direction.dot(ray_.direction), world_.medium.anisotropy);
   const Rgb light = world_.sun.disc_radiance() * (phase / (at.pdf * world_.sun.pdf()));
   return light * up_to(segment, at.distance_m) * unoccluded({position, direction}, kInfinity);

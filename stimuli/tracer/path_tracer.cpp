@@ -26,7 +26,14 @@ void Path::cross_segment(float distance_m) {
   if (features_.scattering && bounce_ < world_.scene.max_bounces) {
     const MediumSegment segment = clip_to(world_.medium, ray_, distance_m);
     if (segment.length() > 0) {
-      if (features_.sun) radiance_ += throughput_ * scattered_sunlight(segment);
+      if (features_.sun) {
+        // The first segment shows the shafts: they fade in and out along it and need several looks.
+        const std::uint32_t draws = bounce_ == 0 ? 4 : 1;
+        Rgb sum;
+        for (std::uint32_t i = 0; i < draws; ++i)
+          sum += scattered_sunlight(segment, sampler_.split(i, draws));
+        radiance_ += throughput_ * sum * (1.0f / static_cast<float>(draws));
+      }
       if (features_.emitters) radiance_ += throughput_ * scattered_lamplight(segment);
     }
   }
