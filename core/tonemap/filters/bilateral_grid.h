@@ -8,9 +8,10 @@
 namespace plenolab {
 
 /// Sampling of the bilateral grid, in samples per σ of each axis: finer is nearer to the exact filter and
-/// slower. The defaults keep the error against bilateral_exact below 0.05 σ-independent log10 units at most.
+/// slower. With the defaults and σ_value = 0.4 the mean error against bilateral_exact is below 0.001 and the
+/// largest below 0.05 on photographs, renders and noise with outliers.
 struct GridSampling {
-  double per_sigma_s = 3;  ///< in [1, 16]
+  double per_sigma_s = 4;  ///< all in [1, 64]
   double per_sigma_value = 6;
   double per_sigma_d = 2;
 

@@ -37,59 +37,72 @@ class Corners {
   Float* bin_0_[2][4] = {};
 };
 
-/// Calls body(x, y, bin, layer weights, corner weights, corners) for every pixel between two rows of cells.
+/// Where one pixel lies in the grid.
+struct Sample {
+  int x = 0, y = 0;
+  GridCoordinate column, row, bin, layer;
+
+  int layers() const { return layer.fraction > 0 ? 2 : 1; }
+  /// Share of one of the layers.
+  float share(int l) const { return l == 0 ? 1 - layer.fraction : layer.fraction; }
+};
+
+/// Shares of the four cells around a pixel.
+struct CellShares {
+  float of[4];
+  explicit CellShares(const Sample& s)
+      : of{(1 - s.column.fraction) * (1 - s.row.fraction), s.column.fraction * (1 - s.row.fraction),
+           (1 - s.column.fraction) * s.row.fraction, s.column.fraction * s.row.fraction} {}
+};
+
+/// Calls body(sample, corners) for every pixel between two rows of cells.
 template <class Float, class Body>
 void for_pixels(const GridImage& image, int row, Float* data, const Body& body) {
   Corners<Float> corners(image.layout, data);
   const PixelRows rows = pixel_rows(image.axes, row);
   for (int y = rows.begin; y < rows.end; ++y) {
-    const float down = image.axes.row_of[static_cast<std::size_t>(y)].fraction;
     const float* range = image.input.range.row(y);
     const float* disparity = image.input.depth ? image.input.depth->disparity->row(y) : nullptr;
     for (int x = 0; x < image.input.width(); ++x) {
-      const GridCoordinate column = image.axes.column_of[static_cast<std::size_t>(x)];
-      const GridCoordinate layer = disparity ? image.axes.layers.at(disparity[x]) : GridCoordinate{};
-      corners.move_to(column.index, row, layer);
-      const float right = column.fraction;
-      const float weights[4] = {(1 - right) * (1 - down), right * (1 - down), (1 - right) * down,
-                                right * down};
-      body(x, y, image.axes.bins.at(range[x]), layer.fraction, weights, corners);
+      const Sample sample{x,
+                          y,
+                          image.axes.column_of[static_cast<std::size_t>(x)],
+                          image.axes.row_of[static_cast<std::size_t>(y)],
+                          image.axes.bins.at(range[x]),
+                          disparity ? image.axes.layers.at(disparity[x]) : GridCoordinate{}};
+      corners.move_to(sample.column.index, row, sample.layer);
+      body(sample, corners);
     }
   }
 }
 
 void splat_band(const GridImage& image, int row, float* data) {
-  for_pixels(image, row, data,
-             [&](int x, int y, GridCoordinate bin, float deeper, const float* weights, auto& corners) {
-               const float value = image.input.value.at(x, y) - image.centre, near = 1 - bin.fraction,
-                           far = bin.fraction;
-               const float terms[kPairFloats] = {near, near * value, far, far * value};
-               for (int l = 0; l < (deeper > 0 ? 2 : 1); ++l) {
-                 const float share = l == 0 ? 1 - deeper : deeper;
-                 for (int c = 0; c < 4; ++c) {
-                   float* p = corners.at(l, c, bin.index);
-                   const float weight = share * weights[c];
-                   for (int i = 0; i < kPairFloats; ++i) p[i] += weight * terms[i];
-                 }
-               }
-             });
+  for_pixels(image, row, data, [&](const Sample& s, const Corners<float>& corners) {
+    const float value = image.input.value.at(s.x, s.y) - image.centre, far = s.bin.fraction, near = 1 - far;
+    const float terms[kPairFloats] = {near, near * value, far, far * value};
+    const CellShares shares(s);
+    for (int l = 0; l < s.layers(); ++l)
+      for (int c = 0; c < 4; ++c) {
+        float* p = corners.at(l, c, s.bin.index);
+        const float weight = s.share(l) * shares.of[c];
+        for (int i = 0; i < kPairFloats; ++i) p[i] += weight * terms[i];
+      }
+  });
 }
 
 void slice_band(const GridImage& image, int row, const float* data, Plane<float>& out) {
-  for_pixels(image, row, data,
-             [&](int x, int y, GridCoordinate bin, float deeper, const float* weights, auto& corners) {
-               float s[kPairFloats] = {};
-               for (int l = 0; l < (deeper > 0 ? 2 : 1); ++l) {
-                 const float share = l == 0 ? 1 - deeper : deeper;
-                 for (int c = 0; c < 4; ++c) {
-                   const float* p = corners.at(l, c, bin.index);
-                   const float weight = share * weights[c];
-                   for (int i = 0; i < kPairFloats; ++i) s[i] += weight * p[i];
-                 }
-               }
-               const float near = 1 - bin.fraction, far = bin.fraction;
-               out.at(x, y) = image.centre + (near * s[1] + far * s[3]) / (near * s[0] + far * s[2]);
-             });
+  for_pixels(image, row, data, [&](const Sample& s, const Corners<const float>& corners) {
+    float sums[kPairFloats] = {};
+    const CellShares shares(s);
+    for (int l = 0; l < s.layers(); ++l)
+      for (int c = 0; c < 4; ++c) {
+        const float* p = corners.at(l, c, s.bin.index);
+        const float weight = s.share(l) * shares.of[c];
+        for (int i = 0; i < kPairFloats; ++i) sums[i] += weight * p[i];
+      }
+    const float far = s.bin.fraction, near = 1 - far;
+    out.at(s.x, s.y) = image.centre + (near * sums[1] + far * sums[3]) / (near * sums[0] + far * sums[2]);
+  });
 }
 
 }  // namespace
