@@ -118,7 +118,8 @@ void add_views(ReproductionResult& result, AppearanceStudy& study, const LightFi
                           .maps = {{"Visibility", visibility_map(view)}},
                           .box = study.place.box,
                           .cut_row = options.with_epi ? std::optional<int>(row) : std::nullopt,
-                          .note = options.seen + (options.seen.empty() ? "" : " ") + study.choice};
+                          .choice = study.choice,
+                          .note = options.seen};
   if (sparser) pictures.synthesised.push_back({"From every other key view", &sparser->image});
   study.pictures = add_pictures(result, pictures, columns, threads);
 }

@@ -47,8 +47,8 @@ std::string difference_label(const FigurePictures& pictures, const LabelledView&
   return pictures.synthesised.size() == 1 ? "Difference" : "Difference, " + view.label;
 }
 
-std::string note_of(const FigurePictures& pictures) {
-  return pictures.note.empty() ? "" : ". " + pictures.note;
+std::string sentence(const std::string& text) {
+  return text.empty() ? "" : ". " + text;
 }
 
 ImageComparison whole_views(const FigurePictures& pictures, const ComparisonConditions& conditions) {
@@ -57,7 +57,8 @@ ImageComparison whole_views(const FigurePictures& pictures, const ComparisonCond
     return mark_box(std::move(image), pictures.box);
   };
   const std::string cut = pictures.cut_row ? "; green: the row of the epipolar image" : "";
-  ImageComparison shown{pictures.what + ". Red: the part enlarged below" + cut + note_of(pictures),
+  ImageComparison shown{pictures.what + ". Red: the part enlarged below" + cut + sentence(pictures.note) +
+                            (pictures.note.empty() ? sentence(pictures.choice) : " " + pictures.choice),
                         pictures.what + ", views to compare",
                         {{"Ground truth", marked(expose(*pictures.truth, conditions.exposure))}}};
   for (const LabelledView& view : pictures.synthesised)
@@ -73,7 +74,7 @@ ImageComparison enlarged(const FigurePictures& pictures, const ComparisonConditi
   const auto enlarge = [](const DisplayImage& image) { return magnify(image, kMagnification); };
   const SceneImage truth = crop(*pictures.truth, pictures.box);
   ImageComparison shown{
-      fmt::format("{}, enlarged {} times{}", pictures.what, kMagnification, note_of(pictures)),
+      fmt::format("{}, enlarged {} times{}", pictures.what, kMagnification, sentence(pictures.note)),
       pictures.what + ", enlarged, to compare",
       {{"Ground truth", enlarge(expose(truth, conditions.exposure))}}};
   for (const LabelledView& view : pictures.synthesised)

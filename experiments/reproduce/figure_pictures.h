@@ -33,7 +33,8 @@ struct FigurePictures {
   std::vector<ReportImage> maps;          ///< of the views' size, e.g. visibility
   PixelBox box;                           ///< what is enlarged
   std::optional<int> cut_row;             ///< of the epipolar image, marked green
-  std::string note;  ///< a sentence for the captions, e.g. what a map means; may be empty
+  std::string choice;  ///< how position and box were chosen, for the caption of the whole views; may be empty
+  std::string note;    ///< a sentence for the captions, e.g. what a map means; may be empty
 };
 
 /// Error of a view or of a part of it.

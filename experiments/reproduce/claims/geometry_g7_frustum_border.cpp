@@ -91,7 +91,7 @@ ReproductionResult reproduce_claim_g7(Laboratory& laboratory) {
   result.differs =
       "Hidden strips are no wider than the disparity of the background, so a far background hardly shows "
       "them, and no longer than what of the occluder lies along the border: beams hide more than compact "
-      "occluders. " +
+      "occluders. They are judged apart since a first measurement that pooled them decided nothing. " +
       causes_text(mean_causes(studies.synthesis));
   show(result, studies, laboratory.options().threads);
   const char* where = "Altmeier 2018, section 6.1.1, figure 31";
