@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/parallel.h"
 #include "core/image/colour.h"
 #include "core/tonemap/map_rows.h"
 #include "core/tonemap/row_math.h"
@@ -16,6 +17,7 @@ namespace plenolab {
 namespace {
 
 constexpr double kGamma = 2.2;
+constexpr int kSlabs = 8;  // of rows, counted side by side
 
 /// Bin of log luminance; the ends take what lies outside.
 int bin_of(double log_luminance, const LogHistogram& h) {
@@ -36,6 +38,17 @@ void log_luminance_row(std::span<const Rgb> scene, float floor, std::vector<floa
     l = l > 0 ? l : floor;
   }
   log10_row(out, out);
+}
+
+/// Adds rows [first, last) of a repaired view. Counts are whole, so their order does not matter.
+void count_rows(const SceneImage& image, int first, int last, float floor, LogHistogram& histogram) {
+  std::vector<float> logs;
+  std::int64_t floored = 0;
+  for (int y = first; y < last; ++y) {
+    log_luminance_row({image.row(y), static_cast<std::size_t>(image.width())}, floor, logs, floored);
+    for (const float v : logs)
+      histogram.counts[static_cast<std::size_t>(bin_of(static_cast<double>(v), histogram))] += 1;
+  }
 }
 
 /// Ceiling of each bin for a total T.
@@ -177,16 +190,15 @@ LogHistogram measure_histogram(const SceneImage& view, double floor, double log_
   PLENOLAB_CHECK(floor > 0 && log_min <= log_max && bins > 0, "floor > 0, log_min ≤ log_max, bins > 0");
   const RepairedView repaired(view, threads);
   const SceneImage& image = repaired.image();
-  LogHistogram histogram{log_min, log_max, std::vector<double>(static_cast<std::size_t>(bins), 0.0)};
-  std::vector<float> logs;
-  std::int64_t floored = 0;
-  for (int y = 0; y < image.height(); ++y) {
-    log_luminance_row({image.row(y), static_cast<std::size_t>(image.width())}, static_cast<float>(floor),
-                      logs, floored);
-    for (const float v : logs)
-      histogram.counts[static_cast<std::size_t>(bin_of(static_cast<double>(v), histogram))] += 1;
-  }
-  return histogram;
+  const LogHistogram empty{log_min, log_max, std::vector<double>(static_cast<std::size_t>(bins), 0.0)};
+  std::vector<LogHistogram> slabs(kSlabs, empty);
+  parallel_for(kSlabs, 1, threads, [&](int begin, int end) {
+    for (int slab = begin; slab < end; ++slab)
+      count_rows(image, image.height() * slab / kSlabs, image.height() * (slab + 1) / kSlabs,
+                 static_cast<float>(floor), slabs[static_cast<std::size_t>(slab)]);
+  });
+  return std::accumulate(slabs.begin(), slabs.end(), empty,
+                         [](const LogHistogram& a, const LogHistogram& b) { return merge(a, b); });
 }
 
 LogHistogram merge(const LogHistogram& a, const LogHistogram& b) {

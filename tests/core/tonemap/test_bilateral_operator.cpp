@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/tonemap/bilateral.h"
+#include "tests/core/tonemap/tone_images.h"
+
+namespace plenolab {
+namespace {
+
+constexpr int kWidth = 512, kHeight = 33, kEdge = 256;
+constexpr double kStep = 0.2;
+
+/// A foreground (left, brighter by a log step) before a background.
+SceneImage step_scene() {
+  return grey_image(kWidth, kHeight,
+                    [](int x, int) { return x < kEdge ? static_cast<float>(std::pow(10, kStep)) : 1.0f; });
+}
+
+DisparityMap step_disparity() {
+  DisparityMap d(kWidth, kHeight, 2.0f);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kEdge; ++x) d.at(x, y) = 12;
+  return d;
+}
+
+BilateralToneOptions exact(bool enhanced) {
+  return {.enhanced = enhanced, .exact = true, .compression = 0.4, .brightness = 0};
+}
+
+/// Row of log10 L_target.
+Plane<float> target(BilateralToneOptions options) {
+  const DisparityMap disparity = step_disparity();
+  const BilateralLayers layers = bilateral_layers(options, step_scene(), &disparity, 1.0);
+  return target_log_luminance(fit(options, measure_base(layers), 1.0), layers);
+}
+
+double edge_contrast(const Plane<float>& log) {
+  const int y = kHeight / 2;
+  return static_cast<double>(log.at(kEdge - 1, y)) - static_cast<double>(log.at(kEdge, y));
+}
+
+/// How much the level beside the edge differs from that far from it.
+double profile(const Plane<float>& log, int beside, int far) {
+  return static_cast<double>(log.at(beside, kHeight / 2)) - static_cast<double>(log.at(far, kHeight / 2));
+}
+
+TEST(BilateralOperator, EdgeContrastsOfThePublishedStepAreFound) {
+  BilateralToneOptions without = exact(true);
+  without.foreground_scale = 0;
+  EXPECT_NEAR(edge_contrast(target(exact(false))), 0.188, 0.001);
+  EXPECT_NEAR(edge_contrast(target(without)), 0.080, 0.001);
+  EXPECT_NEAR(edge_contrast(target(exact(true))), 0.135, 0.0015);
+}
+
+TEST(BilateralOperator, EnhancedHasHalfACornsweetProfileOnTheForegroundAndNoneOnTheBackground) {
+  const Plane<float> naive = target(exact(false)), enhanced = target(exact(true));
+  EXPECT_GT(profile(naive, kEdge - 1, 5), 0.04);
+  EXPECT_LT(profile(naive, kEdge, kWidth - 5), -0.04);
+  EXPECT_NEAR(profile(enhanced, kEdge, kWidth - 5), 0, 1e-5);
+  EXPECT_NEAR(profile(enhanced, kEdge - 1, 5), profile(naive, kEdge - 1, 5), 1e-6);
+}
+
+TEST(BilateralOperator, EnhancedEqualsNaiveOnTheForegroundWithTheDefaultScale) {
+  const Plane<float> naive = target(exact(false)), enhanced = target(exact(true));
+  for (int x = 0; x < kEdge; ++x) EXPECT_NEAR(enhanced.at(x, 16), naive.at(x, 16), 1e-6f) << x;
+}
+
+TEST(BilateralOperator, EnhancedEqualsNaiveBitByBitWithoutDepthEdges) {
+  const SceneImage image = random_scene(48, 32);
+  const DisparityMap flat(48, 32, 7.0f);
+  for (const bool slow : {false, true}) {
+    BilateralToneOptions o{.enhanced = false, .exact = slow};
+    const BilateralLayers naive = bilateral_layers(o, image, nullptr, 1e-3);
+    o.enhanced = true;
+    const BilateralLayers enhanced = bilateral_layers(o, image, &flat, 1e-3);
+    EXPECT_TRUE(enhanced.foreground.empty());
+    EXPECT_EQ(naive.base, enhanced.base);
+    const BilateralToneParameters p = fit(o, measure_base(naive), 1e-3);
+    EXPECT_EQ(
+        apply(p, image, &flat).image,
+        apply(BilateralToneParameters{{.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale},
+              image, nullptr)
+            .image);
+  }
+}
+
+TEST(BilateralOperator, CompressionOneIsTheIdentityWithAndWithoutDepthEdges) {
+  for (const bool enhanced : {false, true}) {
+    BilateralToneOptions o = exact(enhanced);
+    o.compression = 1;
+    const Plane<float> log = target(o);
+    EXPECT_NEAR(log.at(3, 3), kStep, 1e-6);
+    EXPECT_NEAR(log.at(kWidth - 3, 3), 0, 1e-6);
+    EXPECT_NEAR(log.at(kEdge, 3), 0, 1e-6);
+  }
+}
+
+TEST(BilateralOperator, AutomaticSettingsCompressTheBasesToAContrastOfFiveBelowWhite) {
+  const BilateralToneParameters p = fit({}, BaseRange{-2, 3}, 1e-2);
+  EXPECT_NEAR(p.compression, std::log10(5) / 5, 1e-15);
+  EXPECT_NEAR(p.brightness, 3 * p.compression, 1e-15);
+  EXPECT_NEAR(p.foreground_scale, 1 - p.compression, 1e-15);
+  const BilateralToneParameters narrow = fit({}, BaseRange{1, 1.5}, 1e-2);
+  EXPECT_EQ(narrow.compression, 1);
+  EXPECT_EQ(fit({}, BaseRange{1, 1}, 1e-2).compression, 1);
+}
+
+TEST(BilateralOperator, LayersAddUpToTheLogLuminance) {
+  const SceneImage image = random_scene(40, 24);
+  const BilateralLayers layers = bilateral_layers({}, image, nullptr, 1e-3);
+  const Plane<float> detail = layers.detail();
+  for (std::size_t i = 0; i < image.size(); ++i)
+    EXPECT_NEAR(layers.base.pixels()[i] + detail.pixels()[i], layers.log_luminance.pixels()[i], 1e-6f);
+}
+
+TEST(BilateralOperator, DoesNotDependOnTheUnitWithAutomaticSettings) {
+  const SceneImage image = random_scene(40, 24);
+  SceneImage brighter = image;
+  for (Rgb& c : brighter.pixels()) c = 4096.0f * c;
+  const auto map = [](const SceneImage& view, double floor) {
+    const BilateralToneOptions o{.exact = true};
+    return apply(fit(o, measure_base(bilateral_layers(o, view, nullptr, floor)), floor), view, nullptr).image;
+  };
+  const DisplayImage a = map(image, 1e-3), b = map(brighter, 4.096);
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a.pixels()[i].g, b.pixels()[i].g, 1e-5f);
+}
+
+TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
+  const SceneImage image = random_scene(8, 8);
+  const DisparityMap other(7, 8, 0.0f), bad(8, 8, NAN);
+  const BilateralToneOptions enhanced{.enhanced = true};
+  EXPECT_THROW(bilateral_layers(enhanced, image, nullptr, 1), InputError);
+  EXPECT_THROW(bilateral_layers(enhanced, image, &other, 1), InputError);
+  EXPECT_THROW(bilateral_layers(enhanced, image, &bad, 1), InputError);
+  EXPECT_THROW(bilateral_layers({}, image, nullptr, 0), InputError);
+  EXPECT_THROW((BilateralToneOptions{.sigma_s_share = 0}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.sigma_log10 = -1}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.compression = 1.5}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.foreground_scale = -1}.validate()), InputError);
+}
+
+}  // namespace
+}  // namespace plenolab
