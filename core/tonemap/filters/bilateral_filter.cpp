@@ -69,7 +69,7 @@ Plane<float> filter(const Plane<float>& value, const Plane<float>& range, const 
 }
 
 Plane<float> filter_fast(const BilateralInput& input) {
-  std::optional<Plane<float>> result = filter_by_grid(input, {});
+  std::optional<Plane<float>> result = filter_by_grid(input, {}, GridUse::kIfCheaper);
   return result ? *std::move(result) : filter_exactly(input);
 }
 

@@ -39,6 +39,16 @@ bool fits(const BilateralInput& input, const GridSampling& sampling) {
              kMostSamples;
 }
 
+/// Compares counts, never times: the choice is part of the result. Measured: a float of the grid costs as
+/// much as this many terms of the exact sum.
+bool cheaper_than_exact(const BilateralInput& input, const GridLayout& layout) {
+  const double terms_per_float = input.depth ? 200 : 50;
+  const double side = 2.0 * window_radius_px(input.options, input.width(), input.height()) + 1;
+  const double terms = std::min<double>(side, input.width()) * std::min<double>(side, input.height());
+  return terms_per_float * static_cast<double>(layout.floats) <
+         terms * static_cast<double>(input.value.size());
+}
+
 std::vector<float> taps(double sigma, int reach) {
   std::vector<float> result;
   for (int i = 0; i <= reach; ++i)
@@ -74,12 +84,14 @@ GridKernels make_kernels(const BilateralInput& input, const GridSampling& sampli
   return kernels;
 }
 
-std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const GridSampling& sampling) {
+std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const GridSampling& sampling,
+                                           GridUse use) {
   sampling.validate();
   if (!fits(input, sampling)) return std::nullopt;
   const GridAxes axes = make_axes(input, sampling);
   const GridLayout layout = make_layout(input, axes);
   if (layout.floats > kMostFloats) return std::nullopt;
+  if (use == GridUse::kIfCheaper && !cheaper_than_exact(input, layout)) return std::nullopt;
   const Bounds values = bounds_of(input.value);
   const GridImage image{input, axes, layout, values.min + 0.5f * (values.max - values.min)};
   return slice(image, blur(layout, splat(image), make_kernels(input, sampling), input.threads));

@@ -19,14 +19,18 @@ struct GridSampling {
   void validate() const;
 };
 
+enum class GridUse { kIfPossible, kIfCheaper };
+
 /// Bilateral filter by a sparse grid over (column, row, range, disparity): Paris & Durand 2006 and Chen,
 /// Paris & Durand 2007, with
 /// - linear interpolation into and out of the grid, whose blur is taken off the variances of the Gaussians,
 /// - disparity layers that exist only where a pixel has this disparity, so that a depth guide costs as many
 ///   grids as there are surfaces in a neighbourhood, and intervals of range bins for each of them,
 /// - range weights followed to 6.5 σ: a lone pixel must hold out against a window of thousands.
-/// Returns nothing where the exact filter is the better choice: windows of a few pixels, and widths for which
-/// the grid would not fit into memory.
-std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const GridSampling& sampling);
+/// Returns nothing where the exact filter is the better choice: cells would be smaller than pixels, the grid
+/// would take more than 256 MB a copy, or, with GridUse::kIfCheaper, evaluating every term takes less time
+/// (small windows and depths that change from pixel to pixel).
+std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const GridSampling& sampling,
+                                           GridUse use = GridUse::kIfPossible);
 
 }  // namespace plenolab
