@@ -128,7 +128,7 @@ Rgb Path::direct_light(const Surface& surface) {
   Rgb sum;
   if (features_.emitters) sum += mean_of(1, &Path::light_of_lamps);
   if (features_.sun) sum += mean_of(1, &Path::light_of_sun);
-  if (features_.sky) sum += mean_of(world_.portals.empty() ? 1 : 4, &Path::light_of_sky);
+  if (features_.sky) sum += mean_of(world_.portals.empty() ? 1 : 2, &Path::light_of_sky);
   if (joins_patches()) sum += mean_of(1, &Path::light_of_patches);
   return sum;
 }

@@ -49,8 +49,8 @@ class PathSampler {
  public:
   constexpr PathSampler(std::uint64_t pixel_seed, std::uint32_t index) : seed_(pixel_seed), index_(index) {}
 
-  /// The sampler of part `part` of `parts` (a power of two) where a path branches: the parts of all paths of a
-  /// pixel are again one stratified set.
+  /// The sampler of part `part` of `parts` (a power of two) where a path branches: the parts of all paths of
+  /// a pixel are again one stratified set.
   constexpr PathSampler split(std::uint32_t part, std::uint32_t parts) const {
     PathSampler result = *this;
     result.index_ = index_ * parts + part;

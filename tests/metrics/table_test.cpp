@@ -13,6 +13,12 @@
 #include "tests/support/message_of.h"
 
 namespace plenolab {
+
+/// How the test runner prints the parameter.
+static void PrintTo(const Metric& metric, std::ostream* stream) {
+  *stream << metric.name;
+}
+
 namespace {
 
 constexpr std::uint64_t kSeed = 7;

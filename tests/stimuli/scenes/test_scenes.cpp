@@ -13,6 +13,12 @@
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
+
+/// How the test runner prints the parameter.
+static void PrintTo(const SceneEntry& entry, std::ostream* stream) {
+  *stream << entry.id;
+}
+
 namespace {
 
 /// Scenes are modelled once for all tests.
