@@ -1,61 +1,70 @@
 #include "core/tonemap/colour_ratio.h"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-
 #include "core/base/error.h"
-#include "core/image/colour.h"
-#include "core/tonemap/row_math.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/tonemap/colour_ratio.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/tonemap/fast_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace plenolab {
+namespace HWY_NAMESPACE {
+
+/// min(luma·ratio^exponent, 1), counting what is cut.
+class RatioMap {
+ public:
+  explicit RatioMap(float exponent) : exponent_(exponent) {}
+
+  HWY_INLINE Vec Channel(Vec channel, Vec luminance, Vec luma, LaneMask valid) {
+    const Floats d;
+    const LaneMask lit = hn::Gt(luminance, hn::Zero(d));
+    // Where L = 0 the ratio is 1; the divisor then only keeps the division defined.
+    const Vec ratio = hn::IfThenElse(lit, hn::Div(channel, hn::IfThenElse(lit, luminance, C(1.0f))), C(1.0f));
+    const Vec value = hn::Mul(luma, exponent_ == 1 ? ratio : Pow(ratio, exponent_));
+    clipped_ += static_cast<std::int64_t>(hn::CountTrue(d, hn::And(valid, hn::Gt(value, C(1.0f)))));
+    return hn::Min(value, C(1.0f));
+  }
+
+  std::int64_t clipped() const { return clipped_; }
+
+ private:
+  float exponent_;
+  std::int64_t clipped_ = 0;
+};
+
+std::int64_t ColourRatioRow(const Rgb* scene, const float* luma, float exponent, Rgb* out,
+                            std::size_t count) {
+  RatioMap map(exponent);
+  VisitPixels(scene, count, [&](Vec r, Vec g, Vec b, std::size_t i, LaneMask valid) {
+    const Vec light = Luminance(r, g, b), level = LoadLanes(luma, i, count);
+    r = map.Channel(r, light, level, valid);
+    g = map.Channel(g, light, level, valid);
+    b = map.Channel(b, light, level, valid);
+    StorePixels(r, g, b, out, i, count);
+  });
+  return map.clipped();
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace plenolab
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
 namespace plenolab {
 
 namespace {
-
-constexpr std::size_t kBlock = 256;  // pixels: the buffers stay in the nearest cache
-
-using Ratios = std::array<float, 3 * kBlock>;
-
-void divide_by_luminance(std::span<const Rgb> scene, Ratios& ratio) {
-  for (std::size_t i = 0; i < scene.size(); ++i) {
-    const float l = luminance(scene[i]);
-    const bool black = !(l > 0);
-    ratio[3 * i] = black ? 1.0f : scene[i].r / l;
-    ratio[3 * i + 1] = black ? 1.0f : scene[i].g / l;
-    ratio[3 * i + 2] = black ? 1.0f : scene[i].b / l;
-  }
+HWY_EXPORT(ColourRatioRow);
 }
-
-float cut(float v, std::int64_t& clipped) {
-  clipped += v > 1 ? 1 : 0;
-  return std::min(v, 1.0f);
-}
-
-std::int64_t colour_block(std::span<const Rgb> scene, std::span<const float> luma, float exponent,
-                          std::span<Rgb> out) {
-  Ratios ratio;
-  divide_by_luminance(scene, ratio);
-  const std::span<float> used(ratio.data(), 3 * scene.size());
-  if (exponent != 1) power_row(used, exponent, used);
-  std::int64_t clipped = 0;
-  for (std::size_t i = 0; i < scene.size(); ++i)
-    out[i] = {cut(luma[i] * ratio[3 * i], clipped), cut(luma[i] * ratio[3 * i + 1], clipped),
-              cut(luma[i] * ratio[3 * i + 2], clipped)};
-  return clipped;
-}
-
-}  // namespace
 
 std::int64_t apply_colour_ratio(std::span<const Rgb> scene, std::span<const float> luma, double exponent,
                                 std::span<Rgb> out) {
   PLENOLAB_CHECK(scene.size() == luma.size() && scene.size() == out.size(), "rows of equal length");
-  std::int64_t clipped = 0;
-  for (std::size_t begin = 0; begin < scene.size(); begin += kBlock) {
-    const std::size_t count = std::min(kBlock, scene.size() - begin);
-    clipped += colour_block(scene.subspan(begin, count), luma.subspan(begin, count),
-                            static_cast<float>(exponent), out.subspan(begin, count));
-  }
-  return clipped;
+  return HWY_DYNAMIC_DISPATCH(ColourRatioRow)(scene.data(), luma.data(), static_cast<float>(exponent),
+                                              out.data(), scene.size());
 }
 
 }  // namespace plenolab
+#endif

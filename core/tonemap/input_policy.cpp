@@ -1,9 +1,10 @@
 #include "core/tonemap/input_policy.h"
 
 #include <atomic>
-#include <limits>
+#include <cstddef>
 
 #include "core/base/parallel.h"
+#include "core/tonemap/row_math.h"
 
 namespace plenolab {
 
@@ -11,24 +12,13 @@ namespace {
 
 constexpr int kRowGrain = 32;
 
-/// NaN fails both comparisons.
-unsigned defective(float v) {
-  return static_cast<unsigned>(!(v >= 0 && v <= std::numeric_limits<float>::max()));
-}
-
-bool row_has_defects(const Rgb* row, int width) {
-  unsigned any = 0;
-  for (int x = 0; x < width; ++x) any |= defective(row[x].r) | defective(row[x].g) | defective(row[x].b);
-  return any != 0;
-}
-
 }  // namespace
 
 bool has_defects(const SceneImage& view, int threads) {
   std::atomic<bool> found = false;
   parallel_for(view.height(), kRowGrain, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
-      if (row_has_defects(view.row(y), view.width())) found = true;
+      if (!all_usable({view.row(y), static_cast<std::size_t>(view.width())})) found = true;
   });
   return found;
 }

@@ -4,90 +4,92 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/base/error.h"
-#include "core/image/colour.h"
-#include "core/tonemap/row_math.h"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/tonemap/photoreceptor.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#include "core/tonemap/fast_math-inl.h"
+
+HWY_BEFORE_NAMESPACE();
 namespace plenolab {
-
-namespace {
-
-constexpr float kLargest = std::numeric_limits<float>::max();
+namespace HWY_NAMESPACE {
 
 /// The receptor in single precision. V is formed of quarters, so that the sum in its denominator stays
 /// finite.
-struct RowReceptor {
-  float exposure, contrast, scaled_factor;
-  float own_colour, own_luminance;  // weights of C[i] and L in I_a
-  std::array<float, 3> global;      // (1 − l)·I_global
-
+class RowReceptor {
+ public:
   explicit RowReceptor(const Photoreceptor& r)
-      : exposure(static_cast<float>(r.exposure)),
-        contrast(static_cast<float>(r.contrast)),
-        scaled_factor(static_cast<float>(0.25 * std::pow(r.factor, r.contrast))),
-        own_colour(static_cast<float>(r.light_adaptation * r.colour_adaptation)),
-        own_luminance(static_cast<float>(r.light_adaptation * (1 - r.colour_adaptation))) {
+      : exposure_(static_cast<float>(r.exposure)),
+        contrast_(static_cast<float>(r.contrast)),
+        scaled_factor_(static_cast<float>(0.25 * std::pow(r.factor, r.contrast))),
+        own_colour_(static_cast<float>(r.light_adaptation * r.colour_adaptation)),
+        own_luminance_(static_cast<float>(r.light_adaptation * (1 - r.colour_adaptation))) {
     for (std::size_t i = 0; i < 3; ++i)
-      global[i] = static_cast<float>((1 - r.light_adaptation) * r.global[i]);
+      global_[i] = static_cast<float>((1 - r.light_adaptation) * r.global[i]);
   }
 
-  bool grey_level() const { return own_colour == 0 && global[0] == global[1] && global[1] == global[2]; }
+  /// Whether all channels of a pixel share one adaptation level.
+  bool grey_level() const { return own_colour_ == 0 && global_[0] == global_[1] && global_[1] == global_[2]; }
+
+  HWY_INLINE Vec Scaled(Vec value) const { return hn::Min(hn::Mul(value, C(exposure_)), C(kLargest)); }
+
+  /// ¼·(factor·I_a)^m for channel i.
+  HWY_INLINE Vec Adapted(Vec channel, Vec luminance, std::size_t i) const {
+    const Vec own = MulThenAdd(C(own_colour_), channel, hn::Mul(C(own_luminance_), luminance));
+    return hn::Mul(C(scaled_factor_), Pow(hn::Min(hn::Add(own, C(global_[i])), C(kLargest)), contrast_));
+  }
+
+  HWY_INLINE Vec Response(Vec channel, Vec adapted) const {
+    const Vec quarter = hn::Mul(C(0.25f), channel);
+    const LaneMask lit = hn::Gt(quarter, hn::Zero(Floats()));
+    const Vec sum = hn::IfThenElse(lit, hn::Add(quarter, adapted), C(1.0f));
+    return hn::IfThenElseZero(lit, hn::Div(quarter, sum));
+  }
+
+ private:
+  float exposure_, contrast_, scaled_factor_;
+  float own_colour_, own_luminance_;  // weights of C[i] and L in I_a
+  float global_[3];                   // (1 − l)·I_global
 };
 
-float scaled(float value, float exposure) {
-  return std::min(value * exposure, kLargest);
-}
-
-float response(float c, float adapted) {
-  const float quarter = 0.25f * c;
-  return quarter > 0 ? quarter / (quarter + adapted) : 0.0f;
-}
-
-/// One adaptation level for all channels of a pixel.
-void respond_grey_level(const RowReceptor& r, std::span<const Rgb> scene, std::span<Rgb> out,
-                        RowBuffers& buffers) {
-  buffers.a.resize(scene.size());
-  for (std::size_t i = 0; i < scene.size(); ++i) {
-    const float l = scaled(luminance(scene[i]), r.exposure);
-    buffers.a[i] = std::min(r.own_luminance * l + r.global[0], kLargest);
-  }
-  power_row(buffers.a, r.contrast, buffers.a);
-  for (std::size_t i = 0; i < scene.size(); ++i) {
-    const float adapted = r.scaled_factor * buffers.a[i];
-    out[i] = {response(scaled(scene[i].r, r.exposure), adapted),
-              response(scaled(scene[i].g, r.exposure), adapted),
-              response(scaled(scene[i].b, r.exposure), adapted)};
-  }
-}
-
-void respond_colour_level(const RowReceptor& r, std::span<const Rgb> scene, std::span<Rgb> out,
-                          RowBuffers& buffers) {
-  buffers.a.resize(3 * scene.size());
-  for (std::size_t i = 0; i < scene.size(); ++i) {
-    const float shared = r.own_luminance * scaled(luminance(scene[i]), r.exposure);
-    const std::array<float, 3> c{scene[i].r, scene[i].g, scene[i].b};
-    for (std::size_t k = 0; k < 3; ++k)
-      buffers.a[3 * i + k] =
-          std::min(r.own_colour * scaled(c[k], r.exposure) + shared + r.global[k], kLargest);
-  }
-  power_row(buffers.a, r.contrast, buffers.a);
-  for (std::size_t i = 0; i < scene.size(); ++i)
-    out[i] = {response(scaled(scene[i].r, r.exposure), r.scaled_factor * buffers.a[3 * i]),
-              response(scaled(scene[i].g, r.exposure), r.scaled_factor * buffers.a[3 * i + 1]),
-              response(scaled(scene[i].b, r.exposure), r.scaled_factor * buffers.a[3 * i + 2])};
-}
-
-}  // namespace
-
-void respond_row(const Photoreceptor& receptor, std::span<const Rgb> scene, std::span<Rgb> out,
-                 RowBuffers& buffers) {
+LumaRange RespondRow(const Photoreceptor& receptor, const Rgb* scene, Rgb* out, std::size_t count) {
+  const Floats d;
   const RowReceptor row(receptor);
-  if (row.grey_level())
-    respond_grey_level(row, scene, out, buffers);
-  else
-    respond_colour_level(row, scene, out, buffers);
+  const bool grey = row.grey_level();
+  Vec low = C(2.0f), high = C(-1.0f);
+  VisitPixels(scene, count, [&](Vec r, Vec g, Vec b, std::size_t i, LaneMask valid) {
+    const Vec light = row.Scaled(Luminance(r, g, b));
+    r = row.Scaled(r), g = row.Scaled(g), b = row.Scaled(b);
+    const Vec shared = row.Adapted(r, light, 0);
+    r = row.Response(r, shared);
+    g = row.Response(g, grey ? shared : row.Adapted(g, light, 1));
+    b = row.Response(b, grey ? shared : row.Adapted(b, light, 2));
+    StorePixels(r, g, b, out, i, count);
+    const Vec luma = Luminance(r, g, b);
+    low = hn::Min(low, hn::IfThenElse(valid, luma, low));
+    high = hn::Max(high, hn::IfThenElse(valid, luma, high));
+  });
+  return {hn::GetLane(hn::MinOfLanes(d, low)), hn::GetLane(hn::MaxOfLanes(d, high))};
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace plenolab
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace plenolab {
+
+namespace {
+HWY_EXPORT(RespondRow);
+}
+
+LumaRange respond_row(const Photoreceptor& receptor, std::span<const Rgb> scene, std::span<Rgb> out) {
+  PLENOLAB_CHECK(scene.size() == out.size(), "rows of equal length");
+  return HWY_DYNAMIC_DISPATCH(RespondRow)(receptor, scene.data(), out.data(), scene.size());
 }
 
 double respond_to_grey(const Photoreceptor& r, double luminance) {
@@ -113,3 +115,4 @@ void validate_photoreceptor(double brightness, double colour_adaptation, double 
 }
 
 }  // namespace plenolab
+#endif

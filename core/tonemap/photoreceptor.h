@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "core/tonemap/map_rows.h"
+#include "core/image/image.h"
 
 namespace plenolab {
 
@@ -19,9 +19,13 @@ struct Photoreceptor {
   std::array<double, 3> global{};  ///< I_global, unit of C
 };
 
-/// Responses in [0, 1] of scene values that are finite and ≥ 0.
-void respond_row(const Photoreceptor& receptor, std::span<const Rgb> scene, std::span<Rgb> out,
-                 RowBuffers& buffers);
+/// Smallest and largest luma of responses.
+struct LumaRange {
+  float min = 2, max = -1;  ///< of no pixels: empty
+};
+
+/// Responses in [0, 1] of scene values that are finite and ≥ 0; returns the range of their luma.
+LumaRange respond_row(const Photoreceptor& receptor, std::span<const Rgb> scene, std::span<Rgb> out);
 
 /// Response to grey of input luminance L, with the global level of the first channel.
 double respond_to_grey(const Photoreceptor& receptor, double luminance);

@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
-#include "core/image/colour.h"
-#include "core/tonemap/photoreceptor.h"
+#include "core/tonemap/curve_rows.h"
+#include "core/tonemap/map_rows.h"
+#include "core/tonemap/row_math.h"
 
 namespace plenolab {
 
@@ -22,20 +24,15 @@ std::span<const Rgb> row_of(const Plane<Rgb>& plane, int y) {
   return {plane.row(y), static_cast<std::size_t>(plane.width())};
 }
 
-/// Luma limits of one row; of no pixels an empty interval.
-LumaLimits row_limits(std::span<const Rgb> row) {
-  float low = 2, high = -1;
-  for (const Rgb& v : row) {
-    const float luma = luminance(v);
-    low = std::min(low, luma);
-    high = std::max(high, luma);
+/// Limits of all rows; of no pixels {0, 1}.
+LumaLimits enclose_all(const std::vector<LumaRange>& rows) {
+  LumaRange all;
+  for (const LumaRange& row : rows) {
+    all.min = std::min(all.min, row.min);
+    all.max = std::max(all.max, row.max);
   }
-  return {static_cast<double>(low), static_cast<double>(high)};
-}
-
-LumaLimits enclose_all(const std::vector<LumaLimits>& rows) {
-  if (rows.empty()) return {};
-  return std::accumulate(rows.begin() + 1, rows.end(), rows.front(), enclose);
+  if (all.max < all.min) return {};
+  return {static_cast<double>(all.min), static_cast<double>(all.max)};
 }
 
 /// (V − min)/(max − min); identity for an empty interval.
@@ -43,32 +40,45 @@ class Normalisation {
  public:
   explicit Normalisation(const LumaLimits& limits) {
     if (!(limits.max > limits.min)) return;
-    const double gain = 1 / (limits.max - limits.min);
-    gain_ = static_cast<float>(std::min(gain, 1e30));
+    gain_ = static_cast<float>(std::min(1 / (limits.max - limits.min), 1e30));
     offset_ = static_cast<float>(limits.min);
   }
 
   void map_row(std::span<Rgb> row, MappingCounts& counts) const {
-    std::int64_t high = 0, low = 0;
-    for (Rgb& v : row)
-      for (float* channel : {&v.r, &v.g, &v.b}) {
-        const float mapped = (*channel - offset_) * gain_;
-        high += mapped > 1 ? 1 : 0;
-        low += mapped < 0 ? 1 : 0;
-        *channel = std::clamp(mapped, 0.0f, 1.0f);
-      }
-    counts.clipped_high += high;
-    counts.clipped_low += low;
+    const CutCounts cut = normalise_row(row, offset_, gain_);
+    counts.clipped_high += cut.high;
+    counts.clipped_low += cut.low;
   }
 
  private:
   float gain_ = 1, offset_ = 0;
 };
 
-Response respond_with(const SceneImage& view, int threads, const RowBody& body) {
-  ToneMapped mapped = map_rows(view, threads, body);
+/// Luma range of a row that is not fresh from respond_row.
+LumaRange range_of(std::span<const Rgb> row, std::vector<float>& luma) {
+  luma.resize(row.size());
+  luminance_row(row, luma);
+  LumaRange range;
+  for (const float v : luma) {
+    range.min = std::min(range.min, v);
+    range.max = std::max(range.max, v);
+  }
+  return range;
+}
+
+/// Fills a response row by row with body(scene row, response row, buffers), which returns the range of luma.
+using ResponseBody =
+    std::function<LumaRange(std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers)>;
+
+Response respond_with(const SceneImage& view, int threads, const ResponseBody& body) {
+  std::vector<LumaRange> ranges(static_cast<std::size_t>(view.height()));
+  ToneMapped mapped =
+      map_rows(view, threads,
+               [&](int y, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers,
+                   MappingCounts&) { ranges[static_cast<std::size_t>(y)] = body(scene, out, buffers); });
   Response response;
   response.repairs = mapped.counts.repairs;
+  response.limits = enclose_all(ranges);
   response.value = std::move(mapped.image);
   return response;
 }
@@ -122,47 +132,35 @@ ReinhardDevlinParameters fit(const ReinhardDevlinOptions& options, const ImageSt
 }
 
 Response respond(const ReinhardDevlinParameters& parameters, const SceneImage& view, int threads) {
-  return respond_with(view, threads,
-                      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers,
-                          MappingCounts&) { respond_row(parameters, scene, out, buffers); });
+  return respond_with(view, threads, [&](std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers&) {
+    return respond_row(parameters, scene, out);
+  });
 }
 
 Response respond_interpolated(std::span<const ReinhardDevlinParameters> parameters,
                               std::span<const double> weights, const SceneImage& view, int threads) {
   check_weights(parameters.size(), weights);
-  return respond_with(
-      view, threads,
-      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers, MappingCounts&) {
-        std::vector<Rgb> one(scene.size());
-        std::fill(out.begin(), out.end(), Rgb{});
-        for (std::size_t n = 0; n < parameters.size(); ++n) {
-          respond_row(parameters[n], scene, one, buffers);
-          const float w = static_cast<float>(weights[n]);
-          for (std::size_t i = 0; i < out.size(); ++i) out[i] += w * one[i];
-        }
-      });
-}
-
-LumaLimits measure_limits(const Response& response, int threads) {
-  std::vector<LumaLimits> rows(static_cast<std::size_t>(response.value.height()));
-  parallel_for(response.value.height(), kRowGrain, threads, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      rows[static_cast<std::size_t>(y)] = row_limits(row_of(response.value, y));
-  });
-  return enclose_all(rows);
+  const auto blend_row = [&](std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers) {
+    std::vector<Rgb> one(scene.size());
+    std::fill(out.begin(), out.end(), Rgb{});
+    for (std::size_t n = 0; n < parameters.size(); ++n) {
+      respond_row(parameters[n], scene, one);
+      const float w = static_cast<float>(weights[n]);
+      for (std::size_t i = 0; i < out.size(); ++i) out[i] += w * one[i];
+    }
+    return range_of(out, buffers.a);
+  };
+  return respond_with(view, threads, blend_row);
 }
 
 LumaLimits measure_limits(const ReinhardDevlinParameters& parameters, const SceneImage& view, int threads) {
   const RepairedView repaired(view, threads);
   const SceneImage& image = repaired.image();
-  std::vector<LumaLimits> rows(static_cast<std::size_t>(image.height()));
+  std::vector<LumaRange> rows(static_cast<std::size_t>(image.height()));
   parallel_for(image.height(), kRowGrain, threads, [&](int begin, int end) {
-    RowBuffers buffers;
     std::vector<Rgb> response(static_cast<std::size_t>(image.width()));
-    for (int y = begin; y < end; ++y) {
-      respond_row(parameters, row_of(image, y), response, buffers);
-      rows[static_cast<std::size_t>(y)] = row_limits(response);
-    }
+    for (int y = begin; y < end; ++y)
+      rows[static_cast<std::size_t>(y)] = respond_row(parameters, row_of(image, y), response);
   });
   return enclose_all(rows);
 }
@@ -188,8 +186,8 @@ ToneMapped apply(const ReinhardDevlinParameters& parameters, const LumaLimits& l
   const Normalisation normalisation(limits);
   return map_rows(
       view, threads,
-      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers, MappingCounts& counts) {
-        respond_row(parameters, scene, out, buffers);
+      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers&, MappingCounts& counts) {
+        respond_row(parameters, scene, out);
         normalisation.map_row(out, counts);
       });
 }

@@ -51,6 +51,7 @@ ReinhardDevlinParameters fit(const ReinhardDevlinOptions& options, const ImageSt
 /// Response V before normalisation, all channels in [0, 1].
 struct Response {
   Plane<Rgb> value;
+  LumaLimits limits;  ///< smallest and largest luma; {0, 1} without pixels
   PixelRepairs repairs;
 };
 Response respond(const ReinhardDevlinParameters& parameters, const SceneImage& view, int threads = 0);
@@ -59,9 +60,6 @@ Response respond(const ReinhardDevlinParameters& parameters, const SceneImage& v
 /// sum within 1e-6 of 1.
 Response respond_interpolated(std::span<const ReinhardDevlinParameters> parameters,
                               std::span<const double> weights, const SceneImage& view, int threads = 0);
-
-/// Smallest and largest luma of a response.
-LumaLimits measure_limits(const Response& response, int threads = 0);
 
 /// The normalisation; consumes the response.
 ToneMapped normalise(Response response, const LumaLimits& limits, int threads = 0);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/tonemap/curve_rows.h"
 #include "core/tonemap/map_rows.h"
 
 namespace plenolab {
@@ -27,33 +28,10 @@ void limit_slope(double most, RobustAdaptiveParameters& p) {
   p.luma_high = centre + most / 2;
 }
 
-/// The three straight lines; the outer ones may be empty.
-class Knots {
- public:
-  explicit Knots(const RobustAdaptiveParameters& p)
-      : low_(static_cast<float>(p.knot_low)),
-        high_(static_cast<float>(p.knot_high)),
-        luma_low_(static_cast<float>(p.luma_low)),
-        luma_high_(static_cast<float>(p.luma_high)),
-        toe_(slope(p.knot_low, p.luma_low)),
-        middle_(slope(p.knot_high - p.knot_low, p.luma_high - p.luma_low)),
-        shoulder_(slope(1 - p.knot_high, 1 - p.luma_high)) {}
-
-  float at(float v) const {
-    const float toe = toe_ * v;
-    const float middle = luma_low_ + middle_ * (v - low_);
-    const float shoulder = luma_high_ + shoulder_ * (v - high_);
-    const float below = v < low_ ? toe : middle;
-    return std::clamp(v < high_ ? below : shoulder, 0.0f, 1.0f);
-  }
-
- private:
-  static float slope(double width, double height) {
-    return static_cast<float>(width > 0 ? height / width : 0);
-  }
-
-  float low_, high_, luma_low_, luma_high_, toe_, middle_, shoulder_;
-};
+ThreeLines lines_of(const RobustAdaptiveParameters& p) {
+  return {static_cast<float>(p.knot_low), static_cast<float>(p.luma_low), static_cast<float>(p.knot_high),
+          static_cast<float>(p.luma_high)};
+}
 
 }  // namespace
 
@@ -86,13 +64,12 @@ RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageSt
 }
 
 ToneMapped apply(const RobustAdaptiveParameters& p, const SceneImage& view, int threads) {
-  const Knots knots(p);
-  return map_rows(
-      view, threads,
-      [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers, MappingCounts&) {
-        respond_row(p.receptor, scene, out, buffers);
-        for (Rgb& v : out) v = {knots.at(v.r), knots.at(v.g), knots.at(v.b)};
-      });
+  const ThreeLines lines = lines_of(p);
+  return map_rows(view, threads,
+                  [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers&, MappingCounts&) {
+                    respond_row(p.receptor, scene, out);
+                    three_lines_row(out, lines);
+                  });
 }
 
 }  // namespace plenolab

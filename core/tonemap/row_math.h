@@ -24,4 +24,10 @@ void power_row(std::span<const float> x, float p, std::span<float> out);
 /// luminance(c) of each pixel.
 void luminance_row(std::span<const Rgb> c, std::span<float> out);
 
+/// The channels apart.
+void split_row(std::span<const Rgb> c, std::span<float> r, std::span<float> g, std::span<float> b);
+
+/// Whether every channel value is finite and ≥ 0.
+bool all_usable(std::span<const Rgb> c);
+
 }  // namespace plenolab

@@ -89,7 +89,7 @@ MappedFrame map_interpolating_results(const SettingValues& values, const FrameIn
   }
   Response response = respond_interpolated(parameters, frame.weights, *frame.view, frame.threads);
   const std::optional<LumaLimits> fixed = fixed_limits(values);
-  const LumaLimits limits = fixed ? *fixed : measure_limits(response, frame.threads);
+  const LumaLimits limits = fixed.value_or(response.limits);
   return {normalise(std::move(response), limits, frame.threads), {}, report(contrast, limits)};
 }
 
@@ -101,7 +101,7 @@ MappedFrame map_interpolating_statistics(const SettingValues& values, const Fram
   const ReinhardDevlinParameters p = fit(options_of(values), result.state.statistics.value);
   Response response = respond(p, *frame.view, frame.threads);
   const std::optional<LumaLimits> fixed = fixed_limits(values);
-  const LumaLimits now = fixed ? *fixed : measure_limits(response, frame.threads);
+  const LumaLimits now = fixed.value_or(response.limits);
   const auto follow = [&](Adapted<double> FrameState::*limit, double target) {
     return adapt(frame.adaptation, previous ? std::optional((*previous).*limit) : std::nullopt, target,
                  frame.step_s);

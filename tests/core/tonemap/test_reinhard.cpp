@@ -148,7 +148,7 @@ TEST(ReinhardDevlin, RespondingAndNormalisingApartEqualsDoingBothAtOnce) {
   const ReinhardDevlinParameters p =
       fit(ReinhardDevlinOptions{.colour_adaptation = 0.3}, statistics_of(image));
   const Response response = respond(p, image);
-  const LumaLimits limits = measure_limits(response);
+  const LumaLimits limits = response.limits;
   EXPECT_EQ(limits, measure_limits(p, image));
   const ToneMapped apart = normalise(response, limits), together = apply(p, limits, image);
   EXPECT_EQ(apart.image, together.image);
