@@ -3,15 +3,19 @@
 #
 # A scene file is stimuli/scenes/X.cpp without a header X.h of its own. It depends on the headers it includes from
 # stimuli/scenes, on theirs, and on the sources named after such a header (parts.h: parts.cpp, parts_*.cpp). The common
-# hash covers everything else below stimuli, and what no scene reaches. The table of scenes counts nowhere: it only
-# names them.
+# hash covers everything else below stimuli, what no scene reaches, the files of core that decide numbers of a
+# rendering, and the versions of compiler and ray tracer. The table of scenes counts nowhere: it only names them.
+set(core_files core/base/random.h core/image/colour.h core/image/colour.cpp core/lightfield/view_grid.h
+  core/lightfield/view_grid.cpp)
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   file(GLOB_RECURSE files CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/stimuli/*.h ${CMAKE_SOURCE_DIR}/stimuli/*.cpp)
   set(output ${CMAKE_BINARY_DIR}/generated/stimuli_sources.h)
+  list(TRANSFORM core_files PREPEND ${CMAKE_SOURCE_DIR}/)
+  set(tools "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, Embree ${embree_VERSION}")
   add_custom_command(OUTPUT ${output}
-    COMMAND ${CMAKE_COMMAND} -D ROOT=${CMAKE_SOURCE_DIR} -D OUTPUT=${output} -P ${CMAKE_CURRENT_LIST_FILE}
-    DEPENDS ${files} ${CMAKE_CURRENT_LIST_FILE} ${CMAKE_SOURCE_DIR}/core/base/random.h
-      ${CMAKE_SOURCE_DIR}/core/lightfield/view_grid.h ${CMAKE_SOURCE_DIR}/core/lightfield/view_grid.cpp
+    COMMAND ${CMAKE_COMMAND} -D ROOT=${CMAKE_SOURCE_DIR} -D OUTPUT=${output} -D TOOLS=${tools}
+      -P ${CMAKE_CURRENT_LIST_FILE}
+    DEPENDS ${files} ${CMAKE_CURRENT_LIST_FILE} ${core_files}
     COMMENT "Hashing the sources of the stimuli" VERBATIM)
   target_sources(plenolab_stimuli PRIVATE ${output})
   return()
@@ -73,9 +77,11 @@ endforeach()
 
 set(common ${all})
 list(REMOVE_ITEM common ${covered} ${table} "")
-list(APPEND common ${ROOT}/core/base/random.h ${ROOT}/core/lightfield/view_grid.h ${ROOT}/core/lightfield/view_grid.cpp)
+list(TRANSFORM core_files PREPEND ${ROOT}/)
+list(APPEND common ${core_files})
 list(SORT common)
 hash_of(common_digest ${common})
+string(SHA256 common_digest "${common_digest} ${TOOLS}")
 file(CONFIGURE OUTPUT ${OUTPUT} @ONLY CONTENT [=[#pragma once
 
 // Written by cmake/stimuli_sources.cmake at build time.

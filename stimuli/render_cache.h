@@ -11,10 +11,10 @@ namespace plenolab {
 
 /// Hash of the source text that decides how `scene_id` looks: everything below stimuli/ outside
 /// stimuli/scenes/, the scene's own file stimuli/scenes/<id>.cpp (- in the id is _ in the name) with all it
-/// includes from there, and the random numbers and camera model of core. Taken at build time
-/// (cmake/stimuli_sources.cmake has the rule), so a cached view never outlives the code that made it, while
-/// editing one scene leaves the views of the others valid. An id without a file of its own depends on all
-/// scenes.
+/// includes from there, the random numbers, colour and camera model of core, and the versions of compiler and
+/// Embree. Taken at build time (cmake/stimuli_sources.cmake has the rule), so a cached view does not outlive
+/// the code that made it, while editing one scene leaves the views of the others valid. An id without a file
+/// of its own depends on all scenes.
 std::string scene_source_hash(const std::string& scene_id);
 
 /// Name of a cached view: hash of the sources, the scene's id and variant, grid, position and settings (not
