@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
 #include "core/tonemap/filters/bilateral_filter.h"
+#include "core/tonemap/input_policy.h"
 #include "core/tonemap/map_rows.h"
 #include "core/tonemap/row_math.h"
 

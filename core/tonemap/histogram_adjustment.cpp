@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
+#include "core/tonemap/input_policy.h"
 #include "core/tonemap/map_rows.h"
 #include "core/tonemap/row_math.h"
 
@@ -131,19 +132,33 @@ std::vector<double> cumulative_of(const std::vector<double>& counts) {
   return p;
 }
 
-/// p at a position in bins, linear between the edges.
-double cumulative_at(const std::vector<double>& edges, double position) {
-  const double last = static_cast<double>(edges.size() - 1);
-  const double inside = std::clamp(position, 0.0, last);
-  const std::size_t bin = std::min(static_cast<std::size_t>(inside), edges.size() - 2);
-  const double fraction = inside - static_cast<double>(bin);
-  return edges[bin] + (edges[bin + 1] - edges[bin]) * fraction;
-}
+/// The mapping with what does not depend on the pixel computed once.
+class Curve {
+ public:
+  explicit Curve(const HistogramParameters& p)
+      : edges_(p.cumulative),
+        log_min_(p.log_min),
+        log_max_(p.log_max),
+        bins_per_unit_(p.linear ? 0 : static_cast<double>(p.cumulative.size() - 1) / (p.log_max - p.log_min)),
+        display_min_(p.log_display_min),
+        display_range_(p.log_display_max - p.log_display_min),
+        linear_shift_(p.log_display_max - p.log_max) {}
 
-/// The curve for a row: log10 L in the unit of the view → log10 L_d.
-void display_log_row(const HistogramParameters& p, std::span<float> logs) {
-  for (float& v : logs) v = static_cast<float>(display_log_luminance(p, static_cast<double>(v)));
-}
+  /// log10 L → log10 L_d; L outside the histogram counts as its end.
+  double at(double log_luminance) const {
+    const double inside = std::clamp(log_luminance, log_min_, log_max_);
+    if (edges_.empty()) return inside + linear_shift_;
+    const double position = (inside - log_min_) * bins_per_unit_;
+    const std::size_t bin = std::min(static_cast<std::size_t>(position), edges_.size() - 2);
+    const double below = edges_[bin];
+    const double p = below + (edges_[bin + 1] - below) * (position - static_cast<double>(bin));
+    return display_min_ + display_range_ * std::min(p, 1.0);
+  }
+
+ private:
+  const std::vector<double>& edges_;
+  double log_min_, log_max_, bins_per_unit_, display_min_, display_range_, linear_shift_;
+};
 
 /// log10 L_d → (L_d − L_dmin)/(L_dmax − L_dmin), cut to [0, 1] with counts.
 void display_luma_row(const HistogramParameters& p, std::span<float> values, MappingCounts& counts) {
@@ -249,19 +264,16 @@ HistogramParameters fit(const HistogramOptions& options, const LogHistogram& his
 }
 
 double display_log_luminance(const HistogramParameters& p, double log_luminance) {
-  const double inside = std::clamp(log_luminance, p.log_min, p.log_max);
-  if (p.linear) return inside - p.log_max + p.log_display_max;
-  const double bins = static_cast<double>(p.cumulative.size() - 1);
-  const double position = (inside - p.log_min) / (p.log_max - p.log_min) * bins;
-  return p.log_display_min + (p.log_display_max - p.log_display_min) * cumulative_at(p.cumulative, position);
+  return Curve(p).at(log_luminance);
 }
 
 ToneMapped apply(const HistogramParameters& p, const SceneImage& view, int threads) {
+  const Curve curve(p);
   return map_rows(
       view, threads,
       [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers, MappingCounts& counts) {
         log_luminance_row(scene, static_cast<float>(p.floor), buffers.a, counts.floored_pixels);
-        display_log_row(p, buffers.a);
+        for (float& v : buffers.a) v = static_cast<float>(curve.at(static_cast<double>(v)));
         display_luma_row(p, buffers.a, counts);
         counts.clipped_high += apply_colour_ratio(scene, buffers.a, p.colour_exponent, out);
       });

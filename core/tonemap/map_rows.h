@@ -7,7 +7,6 @@
 
 #include "core/base/parallel.h"
 #include "core/image/image.h"
-#include "core/tonemap/input_policy.h"
 #include "core/tonemap/tone_mapped.h"
 
 namespace plenolab {
@@ -18,7 +17,9 @@ struct RowBuffers {
 };
 
 /// Calls body(y, scene row, display row, buffers, counts) for every row of the repaired view and adds the
-/// counts up. Bodies may not depend on other rows.
+/// counts up. Bodies may not
+/// depend on other rows; they see values that are finite and ≥ 0, and are called anew for rows of a view that
+/// turns out to have defects.
 using RowBody = std::function<void(int y, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers,
                                    MappingCounts& counts)>;
 

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/tonemap/curve_rows.h"
+#include "core/tonemap/input_policy.h"
 #include "core/tonemap/map_rows.h"
 #include "core/tonemap/row_math.h"
 

@@ -3,24 +3,25 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
 #include <cmath>
 #include <iterator>
 #include <limits>
 #include <numeric>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
-#include "core/tonemap/input_policy.h"
 #include "core/tonemap/row_math.h"
 
 namespace plenolab {
 
 namespace {
 
-// Bins of equal leading bits: 8 bits of exponent and 10 of mantissa.
-constexpr int kDroppedBits = 13;
+// Bins of equal leading bits: 8 bits of exponent and 8 of mantissa.
+constexpr int kDroppedBits = 15;
 constexpr std::size_t kBins = std::size_t{1} << (31 - kDroppedBits);
 constexpr int kSlabs = 8;  // each has bins of its own; fixed, so that sums do not depend on threads
 
@@ -87,11 +88,41 @@ void add_row(const RowSums& row, ViewStatistics& total) {
 using Bins = std::vector<std::uint32_t>;
 
 void collect_bins(const std::vector<Bins>& slabs, ViewStatistics& total) {
-  for (std::size_t b = 0; b < kBins; ++b) {
-    std::int64_t count = 0;
-    for (const Bins& slab : slabs) count += slab.empty() ? 0 : slab[b];
-    if (count > 0) total.bins.emplace_back(static_cast<std::uint32_t>(b), count);
-  }
+  std::vector<std::int64_t> sum(kBins, 0);
+  for (const Bins& slab : slabs)
+    std::transform(slab.begin(), slab.end(), sum.begin(), sum.begin(),
+                   [](std::uint32_t a, std::int64_t b) { return static_cast<std::int64_t>(a) + b; });
+  for (std::size_t b = 0; b < kBins; ++b)
+    if (sum[b] > 0) total.bins.emplace_back(static_cast<std::uint32_t>(b), sum[b]);
+}
+
+/// Statistics of a view without defects; nothing if it has some, which are found on the way.
+std::optional<ViewStatistics> measure_usable(const SceneImage& image, int threads) {
+  std::vector<RowSums> rows(static_cast<std::size_t>(image.height()));
+  std::vector<Bins> slabs(kSlabs);
+  std::atomic<bool> usable = true;
+  parallel_for(kSlabs, 1, threads, [&](int begin, int end) {
+    RowChannels channels;
+    for (int slab = begin; slab < end; ++slab) {
+      const int first = image.height() * slab / kSlabs, last = image.height() * (slab + 1) / kSlabs;
+      if (first == last) continue;
+      Bins& bins = slabs[static_cast<std::size_t>(slab)];
+      bins.assign(kBins, 0);
+      for (int y = first; y < last && usable; ++y) {
+        const std::span<const Rgb> row(image.row(y), static_cast<std::size_t>(image.width()));
+        if (all_usable(row))
+          rows[static_cast<std::size_t>(y)] = sum_row(row, channels, bins);
+        else
+          usable = false;
+      }
+    }
+  });
+  if (!usable) return std::nullopt;
+  ViewStatistics total;
+  total.pixels = static_cast<std::int64_t>(image.size());
+  for (const RowSums& row : rows) add_row(row, total);
+  collect_bins(slabs, total);
+  return total;
 }
 
 /// log10 of the luminance of rank p·(n − 1) among the positive ones, linear inside the bin.
@@ -161,28 +192,13 @@ void add_weighted(const ImageStatistics& s, double w, ImageStatistics& sum) {
 }  // namespace
 
 ViewStatistics measure_view(const SceneImage& view, int threads) {
-  const RepairedView repaired(view, threads);
-  const SceneImage& image = repaired.image();
-  std::vector<RowSums> rows(static_cast<std::size_t>(image.height()));
-  std::vector<Bins> slabs(kSlabs);
-  parallel_for(kSlabs, 1, threads, [&](int begin, int end) {
-    RowChannels channels;
-    for (int slab = begin; slab < end; ++slab) {
-      const int first = image.height() * slab / kSlabs, last = image.height() * (slab + 1) / kSlabs;
-      if (first == last) continue;
-      Bins& bins = slabs[static_cast<std::size_t>(slab)];
-      bins.assign(kBins, 0);
-      for (int y = first; y < last; ++y)
-        rows[static_cast<std::size_t>(y)] =
-            sum_row({image.row(y), static_cast<std::size_t>(image.width())}, channels, bins);
-    }
-  });
-  ViewStatistics total;
-  total.pixels = static_cast<std::int64_t>(image.size());
-  total.repairs = repaired.repairs();
-  for (const RowSums& row : rows) add_row(row, total);
-  collect_bins(slabs, total);
-  return total;
+  if (std::optional<ViewStatistics> statistics = measure_usable(view, threads)) return *statistics;
+  SceneImage copy = view;
+  const PixelRepairs repairs = repair(copy);
+  std::optional<ViewStatistics> statistics = measure_usable(copy, threads);
+  PLENOLAB_CHECK(statistics.has_value(), "a repaired view has no defects");
+  statistics->repairs = repairs;
+  return *statistics;
 }
 
 ViewStatistics merge(const ViewStatistics& a, const ViewStatistics& b) {

@@ -24,7 +24,7 @@ struct ViewStatistics {
   double log10_sum = 0;      ///< over positive luminances
   double min_positive = 0;   ///< 0 if no pixel is positive
   double max_luminance = 0;  ///< 0 if no pixel is positive
-  /// Sorted (bin, count) of positive luminances; bins are 2^-10 of an octave's lower end wide (0.1 %).
+  /// Sorted (bin, count) of positive luminances; bins are 2^-8 of an octave's lower end wide (0.4 %).
   std::vector<std::pair<std::uint32_t, std::int64_t>> bins;
   friend bool operator==(const ViewStatistics&, const ViewStatistics&) = default;
 };
@@ -44,7 +44,7 @@ struct ImageStatistics {
   double average_luminance = 0;            ///< arithmetic
   double log_average = 0;                  ///< mean of log L, floored
   double log_min = 0, log_max = 0;         ///< extremes of log L, floored
-  double log_p1 = 0, log_p99 = 0;          ///< percentiles of log L over positive pixels, to 0.05 %
+  double log_p1 = 0, log_p99 = 0;          ///< percentiles of log L over positive pixels, to 0.4 %
   /// Mean of log L over positive pixels with log L cut to [log_p1, log_p99] (a winsorised mean): neither
   /// black pixels nor a few outliers of any size can move it.
   double log_robust_average = 0;
