@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/tonemap/filters/bilateral_methods.h"
+#include "core/tonemap/filters/bilateral_input.h"
 #include "core/tonemap/filters/gaussian.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -120,7 +120,7 @@ Plane<float> padded(const Plane<float>& plane, int radius, float fill) {
 
 ExactSetup make_setup(const BilateralInput& input) {
   ExactSetup s{.width = input.width(), .height = input.height()};
-  s.radius = window_radius_px(input.options, s.width, s.height);
+  s.radius = input.radius_px();
   s.value = padded(input.value, s.radius, 0);
   s.range = padded(input.range, s.radius, std::numeric_limits<float>::infinity());
   const double k = gaussian_exponent(input.options.sigma_s_px);

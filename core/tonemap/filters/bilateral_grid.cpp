@@ -19,31 +19,20 @@ constexpr double kMostSamples = 1 << 24;
 /// Floats of one copy of the grid.
 constexpr std::size_t kMostFloats = std::size_t{1} << 26;
 
-struct Bounds {
-  float min, max;
-  double range() const { return static_cast<double>(max) - static_cast<double>(min); }
-};
-
-Bounds bounds_of(const Plane<float>& plane) {
-  const auto [min, max] = std::minmax_element(plane.pixels().begin(), plane.pixels().end());
-  return {*min, *max};
-}
-
 bool fits(const BilateralInput& input, const GridSampling& sampling) {
   if (input.options.sigma_s_px < sampling.per_sigma_s) return false;  // cells would be smaller than pixels
   const BilateralOptions& options = input.options;
-  if (bounds_of(input.range).range() * sampling.per_sigma_value / options.sigma_value > kMostSamples)
+  if (input.range_bounds.range() * sampling.per_sigma_value / options.sigma_value > kMostSamples)
     return false;
   return !input.depth ||
-         bounds_of(*input.depth->disparity).range() * sampling.per_sigma_d / input.depth->sigma_d_px <=
-             kMostSamples;
+         input.disparity_bounds.range() * sampling.per_sigma_d / input.depth->sigma_d_px <= kMostSamples;
 }
 
 /// Compares counts, never times: the choice is part of the result. Measured: a float of the grid costs as
 /// much as this many terms of the exact sum.
 bool cheaper_than_exact(const BilateralInput& input, const GridLayout& layout) {
   const double terms_per_float = input.depth ? 200 : 50;
-  const double side = 2.0 * window_radius_px(input.options, input.width(), input.height()) + 1;
+  const double side = 2.0 * input.radius_px() + 1;
   const double terms = std::min<double>(side, input.width()) * std::min<double>(side, input.height());
   return terms_per_float * static_cast<double>(layout.floats) <
          terms * static_cast<double>(input.value.size());
@@ -92,7 +81,7 @@ std::optional<Plane<float>> filter_by_grid(const BilateralInput& input, const Gr
   const GridLayout layout = make_layout(input, axes);
   if (layout.floats > kMostFloats) return std::nullopt;
   if (use == GridUse::kIfCheaper && !cheaper_than_exact(input, layout)) return std::nullopt;
-  const Bounds values = bounds_of(input.value);
+  const Bounds& values = input.value_bounds;
   const GridImage image{input, axes, layout, values.min + 0.5f * (values.max - values.min)};
   return slice(image, blur(layout, splat(image), make_kernels(input, sampling), input.threads));
 }

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "core/image/image.h"
-#include "core/tonemap/filters/bilateral_methods.h"
+#include "core/tonemap/filters/bilateral_input.h"
 
 namespace plenolab {
 

@@ -24,11 +24,6 @@ std::vector<GridCoordinate> coordinates(int pixels, double samples_per_px) {
   return result;
 }
 
-GridAxis axis_of(const Plane<float>& plane, double samples_per_unit) {
-  const float min = *std::min_element(plane.pixels().begin(), plane.pixels().end());
-  return {min, static_cast<float>(samples_per_unit)};
-}
-
 /// Adds one pixel; `last` remembers where the previous pixel went, mostly the same.
 void note(Square& square, std::size_t& last, int layer, int bin) {
   if (last >= square.size() || square[last].layer != layer) {
@@ -96,9 +91,11 @@ GridAxes make_axes(const BilateralInput& input, const GridSampling& sampling) {
   axes.row_of = coordinates(input.height(), per_px);
   axes.columns = axes.column_of.back().index + 2;
   axes.rows = axes.row_of.back().index + 2;
-  axes.bins = axis_of(input.range, sampling.per_sigma_value / input.options.sigma_value);
+  axes.bins = {input.range_bounds.min,
+               static_cast<float>(sampling.per_sigma_value / input.options.sigma_value)};
   if (input.depth)
-    axes.layers = axis_of(*input.depth->disparity, sampling.per_sigma_d / input.depth->sigma_d_px);
+    axes.layers = {input.disparity_bounds.min,
+                   static_cast<float>(sampling.per_sigma_d / input.depth->sigma_d_px)};
   return axes;
 }
 
