@@ -6,8 +6,7 @@ namespace plenolab::tracer {
 
 namespace {
 
-constexpr int kRouletteAfter = 3;
-constexpr float kMinSurvival = 0.05f, kMaxSurvival = 0.95f;
+constexpr float kMinSurvival = 0.05f;
 
 }  // namespace
 
@@ -75,12 +74,11 @@ bool Path::scatter(const Surface& surface) {
   specular_ = surface.specular();
   rough_seen_ = rough_seen_ || !specular_;
   pdf_ = sample->pdf;
-  if (bounce_ >= kRouletteAfter) {
-    const float survival = std::clamp(max_component(throughput_), kMinSurvival, kMaxSurvival);
-    if (random_1d(kRoulette) >= survival) return false;
-    throughput_ = throughput_ * (1.0f / survival);
-  }
   if (is_black(throughput_)) return false;
+  // The root keeps paths longer than their share of the light: measured, that is worth its rays.
+  const float survival = std::clamp(std::sqrt(max_component(throughput_)), kMinSurvival, 1.0f);
+  if (random_1d(kRoulette) >= survival) return false;
+  throughput_ = throughput_ * (1.0f / survival);
   if (sample->transmitted) inside_.cross(surface.material, surface.front);
   ray_ = {offset_origin(surface.position_m, surface.geometric_normal, sample->incoming), sample->incoming};
   ++bounce_;

@@ -40,7 +40,7 @@ struct PathResult {
 /// Traces one path from the camera: next-event estimation of lamps, sun and sky (the best of several
 /// candidates each, by resampling) at every surface that is not specular, combined with sampling by the BSDF
 /// (power heuristic), joined to patches of sunlight behind openings, single scattering of lamps and sun along
-/// every segment, Russian roulette after three scattering events. The first surface that is not specular
+/// every segment, Russian roulette by what is left of the light. The first surface that is not specular
 /// draws several times: its textures are dear, more rays from it are not. Sample dimension 0 belongs to the
 /// caller.
 PathResult trace_path(const World& world, const Features& features, const Ray& camera_ray,
