@@ -6,6 +6,7 @@ namespace plenolab::tracer {
 
 namespace {
 
+constexpr int kMirrorsBeforeRoulette = 3;
 constexpr float kMinSurvival = 0.05f;
 
 }  // namespace
@@ -75,10 +76,13 @@ bool Path::scatter(const Surface& surface) {
   rough_seen_ = rough_seen_ || !specular_;
   pdf_ = sample->pdf;
   if (is_black(throughput_)) return false;
-  // The root keeps paths longer than their share of the light: measured, that is worth its rays.
-  const float survival = std::clamp(std::sqrt(max_component(throughput_)), kMinSurvival, 1.0f);
-  if (random_1d(kRoulette) >= survival) return false;
-  throughput_ = throughput_ * (1.0f / survival);
+  // What mirrors show stays free of noise. The root keeps paths longer than their share of the light:
+  // measured, that is worth its rays.
+  if (rough_seen_ || bounce_ >= kMirrorsBeforeRoulette) {
+    const float survival = std::clamp(std::sqrt(max_component(throughput_)), kMinSurvival, 1.0f);
+    if (random_1d(kRoulette) >= survival) return false;
+    throughput_ = throughput_ * (1.0f / survival);
+  }
   if (sample->transmitted) inside_.cross(surface.material, surface.front);
   ray_ = {offset_origin(surface.position_m, surface.geometric_normal, sample->incoming), sample->incoming};
   ++bounce_;
