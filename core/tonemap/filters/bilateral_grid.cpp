@@ -50,6 +50,16 @@ double remaining_sigma(double per_sigma) {
   return std::sqrt(per_sigma * per_sigma - 1.0 / 3);
 }
 
+/// The Gaussian cut off where the exact window ends: half a pixel beyond its outermost pixels, half a cell
+/// beyond the outermost tap, whose weight takes up the fraction that is left.
+std::vector<float> window_taps(const BilateralInput& input, double per_sigma) {
+  const double window = input.options.support_sigmas * input.options.sigma_s_px;
+  const double reach = (std::ceil(window) + 0.5) * per_sigma / input.options.sigma_s_px - 0.5;
+  std::vector<float> result = taps(remaining_sigma(per_sigma), static_cast<int>(std::ceil(reach)));
+  result.back() *= static_cast<float>(1 - (std::ceil(reach) - reach));
+  return result;
+}
+
 }  // namespace
 
 void GridSampling::validate() const {
@@ -60,8 +70,7 @@ void GridSampling::validate() const {
 
 GridKernels make_kernels(const BilateralInput& input, const GridSampling& sampling) {
   GridKernels kernels;
-  kernels.space = taps(remaining_sigma(sampling.per_sigma_s),
-                       static_cast<int>(std::lround(input.options.support_sigmas * sampling.per_sigma_s)));
+  kernels.space = window_taps(input, sampling.per_sigma_s);
   kernels.bin_reach = static_cast<int>(std::ceil(kReach * sampling.per_sigma_value / kBinGroup)) * kBinGroup;
   kernels.bins = taps(remaining_sigma(sampling.per_sigma_value), kernels.bin_reach);
   kernels.layers = {1.0f};
