@@ -129,9 +129,10 @@ struct Scene {
   int max_bounces = 6;  ///< scattering events of one path, ideal reflection and refraction included
   /// Whether lamps and the sun also light diffuse and glossy surfaces by way of ideal mirrors and smooth
   /// dielectrics (the sun's caustics below water, a lantern's reflection off a lake onto a hull). Such light
-  /// is found by chance only and is noisy; false leaves it out of every view and of the ground truth alike: a
-  /// property of the scene, not an approximation of the renderer. What the camera sees through any chain of
-  /// mirrors and dielectrics always counts.
+  /// is found by chance only and is noisy; false leaves it out of every view and of the ground truth alike,
+  /// and takes glossy surfaces as at least α = 0.3 rough where their light has been spread by another rough
+  /// surface on its way to the camera: a property of the scene, not an approximation of the renderer. What
+  /// the camera sees through any chain of mirrors and dielectrics always counts.
   bool caustics = true;
   /// Names an altered copy of a scene ("roughness=0.1") in the render cache. Whoever changes a scene after it
   /// was built must change this too, because cached views are found by id, variant and source text. Empty: as

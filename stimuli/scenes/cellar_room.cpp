@@ -297,6 +297,7 @@ Scene cellar_room() {
                   .height = 540,
                   .paths_per_pixel = 512};
   result.max_bounces = 2;
+  result.caustics = false;
   return result;
 }
 

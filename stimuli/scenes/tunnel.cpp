@@ -300,6 +300,7 @@ Scene build_tunnel() {
                   .height = 540,
                   .paths_per_pixel = 512};
   result.max_bounces = 2;
+  result.caustics = false;
   return result;
 }
 

@@ -11,6 +11,8 @@
 
 namespace plenolab::tracer {
 
+/// Lobes denser than this, per steradian, show a nearly sharp reflection (GGX α below 0.06).
+inline constexpr float kNarrowLobe = 20;
 inline constexpr float kInfinity = std::numeric_limits<float>::infinity();
 
 /// What random numbers are used for at each bounce; every use has its own sample dimension.
@@ -85,6 +87,7 @@ class Path {
   Rgb light_of_sun(const Surface& surface, const Vec3& origin, const PathSampler& sampler);
   Rgb light_of_sky(const Surface& surface, const Vec3& origin, const PathSampler& sampler);
   Rgb light_of_patches(const Surface& surface, const Vec3& origin, const PathSampler& sampler);
+  Surface surface_at(const Hit& hit, const Vec3& direction, bool diffused) const;
   bool joins_patches() const;
   float patch_mis_weight(const Surface& surface, const Vec3& sun_direction) const;
   LightCandidate lamp_candidate(const Surface& surface, const Vec3& origin, float select,
@@ -107,6 +110,7 @@ class Path {
   float pdf_ = 0;         // with which the BSDF found the current direction
   bool specular_ = true;  // the current direction was the only one possible (camera, ideal reflection)
   bool rough_seen_ = false;
+  bool diffused_ = false;        // some surface has spread the light over a wide lobe
   bool patches_joined_ = false;  // the last surface was joined to sun patches: see light_of_patches
   float segment_m_ = 0;          // length of the current ray up to the surface
   int bounce_ = 0;               // scattering events so far

@@ -101,7 +101,7 @@ Rgb Path::light_of_patches(const Surface& surface, const Vec3& origin, const Pat
   const float cosine = -patch->hit.geometric_normal.dot(direction);
   const BsdfValue here = evaluate_bsdf(surface, direction);
   if (!(cosine > 0) || is_black(here.f_cos)) return {};
-  const Surface lit = make_surface(patch->hit, direction);
+  const Surface lit = surface_at(patch->hit, direction, diffused_ || here.pdf < kNarrowLobe);
   if (lit.specular()) return {};
   const BsdfValue there = evaluate_bsdf(lit, patch->sun_direction);
   if (is_black(there.f_cos)) return {};

@@ -8,6 +8,7 @@ namespace {
 
 constexpr int kMirrorsBeforeRoulette = 3;
 constexpr float kMinSurvival = 0.05f;
+constexpr float kCausticAlpha = 0.3f;
 
 }  // namespace
 
@@ -66,6 +67,13 @@ void Path::add_emission(const Hit& hit) {
   radiance_ += throughput_ * material.radiance_cd_m2 * mis_weight(pdf);
 }
 
+// A surface as the path sees it: see Scene::caustics for what happens after a wide lobe.
+Surface Path::surface_at(const Hit& hit, const Vec3& direction, bool diffused) const {
+  Surface surface = make_surface(hit, direction);
+  if (diffused && !world_.scene.caustics) surface.alpha = std::max(surface.alpha, kCausticAlpha);
+  return surface;
+}
+
 // Continues the path; false if it ends here.
 bool Path::scatter(const Surface& surface) {
   const auto sample = sample_bsdf(surface, random_1d(kLobe), random_2d(kBsdf));
@@ -75,6 +83,7 @@ bool Path::scatter(const Surface& surface) {
   specular_ = surface.specular();
   rough_seen_ = rough_seen_ || !specular_;
   pdf_ = sample->pdf;
+  diffused_ = diffused_ || (!specular_ && pdf_ < kNarrowLobe);
   if (is_black(throughput_)) return false;
   // What mirrors show stays free of noise. The root keeps paths longer than their share of the light:
   // measured, that is worth its rays.
@@ -106,7 +115,7 @@ PathResult Path::run() {
     }
     if (bounce_ >= world_.scene.max_bounces) break;
     segment_m_ = hit.distance_m;
-    const Surface surface = make_surface(hit, ray_.direction);
+    const Surface surface = surface_at(hit, ray_.direction, diffused_);
     if (!surface.specular()) radiance_ += throughput_ * direct_light(surface);
     if (!scatter(surface)) break;
     found = world_.rays.intersect(ray_, hit);
