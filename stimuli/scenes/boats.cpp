@@ -252,7 +252,7 @@ Scene build_boats() {
                   .spacing_y_m = 0.07,
                   .width = 384,
                   .height = 216,
-                  .paths_per_pixel = 32};
+                  .paths_per_pixel = 16};
   result.paper = {.columns = 17,
                   .rows = 9,
                   .spacing_x_m = 0.04,

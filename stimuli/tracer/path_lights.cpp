@@ -58,7 +58,7 @@ Rgb Path::light_of_sun(const Surface& surface, const Vec3& origin, const PathSam
 
 Rgb Path::light_of_sky(const Surface& surface, const Vec3& origin, const PathSampler& sampler) {
   // Portals differ in what they bring; directions drawn from the open sky hardly do.
-  constexpr std::size_t kPortalCandidates = 4;
+  constexpr std::size_t kPortalCandidates = 2;
   const std::size_t count = world_.portals.empty() || rough_seen_ ? 1 : kPortalCandidates;
   const float select = sampler.get_1d(dimension(kPortal));
   const std::array<float, 2> u = sampler.get_2d(dimension(kSky));
