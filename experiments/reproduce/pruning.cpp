@@ -80,7 +80,7 @@ PruningOutcome prune_synthesis(const SynthesisCase& c, int threads) {
                   pruned.visible_views == full.visible_views && pruned.restored == full.restored;
   const auto median_seconds = [&](bool prune) {
     options.prune = prune;
-    return time_repeated([&] { synthesizer.synthesize(c.position, options); }, {.runs = 5, .warm_up_runs = 0})
+    return time_repeated([&] { synthesizer.synthesize(c.position, options); }, {.runs = 3, .warm_up_runs = 0})
         .median_s;
   };
   outcome.seconds_pruned = median_seconds(true);
