@@ -7,6 +7,7 @@
 #include "core/lightfield/description.h"
 #include "core/lightfield/folder_views.h"
 #include "core/lightfield/new_folder.h"
+#include "core/lightfield/view_writer.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -36,30 +37,13 @@ BasicLightField<Referral> open_any(const fs::path& folder, const LightFieldDescr
 }
 
 template <class Referral>
-LightFieldDescription description_of(const BasicLightField<Referral>& light_field) {
-  LightFieldDescription description;
-  description.grid = light_field.grid();
-  description.display_referred = std::is_same_v<Referral, DisplayReferred>;
-  description.unit = light_field.unit();
-  description.view_pattern = "view_{row:02}_{column:02}.exr";
-  return description;
-}
-
-template <class Referral>
-void write_views(const fs::path& folder, const BasicLightField<Referral>& light_field,
-                 const LightFieldDescription& description, const WriteLightFieldOptions& options,
+void write_views(ViewWriter<Referral>& writer, const BasicLightField<Referral>& light_field,
                  const Progress& progress) {
-  ExrWriteOptions exr;
-  exr.colour_type = options.colour_type;
-  exr.compression = options.compression;
   const ViewGrid& grid = light_field.grid();
   for (int i = 0; i < grid.rows * grid.columns; ++i) {
     const int row = i / grid.columns, column = i % grid.columns;
     const auto view = light_field.view(column, row);
-    const std::string name = expand_view_pattern(description.view_pattern, column, row, folder.string());
-    check_disparity(view->disparity,
-                    fmt::format("view (column {}, row {}) of {}", column, row, light_field.name()));
-    write_exr(folder / name, view->colour, {{description.geometry, &view->disparity}}, exr);
+    writer.write(column, row, view->colour, view->disparity);
     if (progress) progress((i + 1.0) / (grid.rows * grid.columns));
   }
 }
@@ -67,10 +51,11 @@ void write_views(const fs::path& folder, const BasicLightField<Referral>& light_
 template <class Referral>
 void write_any(const fs::path& folder, const BasicLightField<Referral>& light_field,
                const WriteLightFieldOptions& options, const Progress& progress) {
-  const LightFieldDescription description = description_of(light_field);
   write_folder_atomically(folder, [&](const fs::path& temporary) {
-    write_views(temporary, light_field, description, options, progress);
-    write_text_file(temporary / kDescriptionFile, format_description(description));
+    ViewWriter<Referral> writer(temporary, light_field.grid(), light_field.unit(), light_field.name(),
+                                options);
+    write_views(writer, light_field, progress);
+    writer.finish();
   });
 }
 
