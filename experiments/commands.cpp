@@ -10,6 +10,9 @@ void add_info_command(CLI::App& app, const Invocation& invocation);
 void add_convert_command(CLI::App& app, const Invocation& invocation);
 void add_synth_command(CLI::App& app, const Invocation& invocation);
 void add_video_command(CLI::App& app, const Invocation& invocation);
+void add_tonemap_command(CLI::App& app, const Invocation& invocation);
+void add_tonemap_lf_command(CLI::App& app, const Invocation& invocation);
+void add_adjust_lf_command(CLI::App& app, const Invocation& invocation);
 void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
@@ -26,6 +29,10 @@ std::span<const Command> commands() {
               add_convert_command},
       Command{"synth", "Synthesise one novel view", add_synth_command},
       Command{"video", "Synthesise the frames of a camera path", add_video_command},
+      Command{"tonemap", "Tone map one image, or list the operators there are", add_tonemap_command},
+      Command{"tonemap-lf", "Tone map all views of a light field with one rule", add_tonemap_lf_command},
+      Command{"adjust-lf", "Key-view adjustment: draw corresponding pixels of tone mapped key views together",
+              add_adjust_lf_command},
       Command{"epi", "Cut an epipolar-plane image out of a sequence of frames", add_epi_command},
       Command{"metric", "Compare a test image with a reference", add_metric_command},
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",

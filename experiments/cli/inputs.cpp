@@ -43,6 +43,14 @@ AnyLightField open_any_light_field(const fs::path& folder, int memory_mib) {
                   folder.string()));
 }
 
+LightField open_radiance(const fs::path& folder, int memory_mib) {
+  const AnyLightField any = open_any_light_field(folder, memory_mib);
+  if (const auto* field = std::get_if<LightField>(&any)) return *field;
+  throw InputError(
+      fmt::format("{} is display-referred, but radiance is needed here (convert HCI folders with --linear)",
+                  folder.string()));
+}
+
 const ViewGrid& grid_of(const AnyLightField& light_field) {
   return std::visit([](const auto& field) -> const ViewGrid& { return field.grid(); }, light_field);
 }
@@ -65,6 +73,10 @@ void add_memory_option(CLI::App& app, int& memory_mib) {
   app.add_option("--memory", memory_mib, "Memory for loaded views in MiB")
       ->check(whole_number(1, kMost_mib))
       ->capture_default_str();
+}
+
+bool is_exr_file(const fs::path& path) {
+  return lower_extension(path) == ".exr";
 }
 
 bool is_display_file(const fs::path& path) {

@@ -20,6 +20,9 @@ using AnyLightField = std::variant<LightField, DisplayLightField>;
 /// memory. Throws InputError if the folder is neither.
 AnyLightField open_any_light_field(const std::filesystem::path& folder, int memory_mib = 2048);
 
+/// The same, for commands that need radiance. Throws InputError if the light field is display-referred.
+LightField open_radiance(const std::filesystem::path& folder, int memory_mib = 2048);
+
 const ViewGrid& grid_of(const AnyLightField& light_field);
 
 /// Declares --memory for open_any_light_field.
@@ -39,6 +42,9 @@ std::vector<std::filesystem::path> image_files(const std::filesystem::path& fold
 /// Throws UsageError unless the file's extension is `extension` (with its dot), which is what will be
 /// written.
 void require_extension(const std::filesystem::path& path, const std::string& extension);
+
+/// Whether the extension is .exr, in upper or lower case.
+bool is_exr_file(const std::filesystem::path& path);
 
 /// Whether the extension is that of a display-referred image.
 bool is_display_file(const std::filesystem::path& path);

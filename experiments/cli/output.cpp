@@ -26,11 +26,13 @@ std::string text_of(const ResultRow& row, const std::string& column) {
 void print_for_people(const ResultTable& results) {
   ResultTable numbers;
   for (const ResultRow& row : results.rows())
-    if (row.quantity != kStageLeftOut) numbers.add(row);
+    if (row.quantity != kStageLeftOut && row.quantity != kNoteQuantity) numbers.add(row);
   fmt::print("{}", to_text(numbers));
   for (const ResultRow& row : results.rows())
     if (row.quantity == kStageLeftOut)
       fmt::print("left out: {} ({})\n", text_of(row, "stage"), text_of(row, "reason"));
+    else if (row.quantity == kNoteQuantity)
+      fmt::print("note: {}\n", text_of(row, "note"));
 }
 
 }  // namespace

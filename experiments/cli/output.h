@@ -28,8 +28,11 @@ void add_common_options(CLI::App& app, CommonOptions& options);
 /// Whether standard output belongs to a program: JSON or CSV goes there, and nothing else may.
 bool output_is_for_programs(const CommonOptions& options);
 
-/// Prints the results as a table for people, stages left out as sentences, on stdout (unless JSON goes there)
-/// and writes the JSON and CSV that were asked for. Finishes `provenance`.
+/// Quantity of a row that says something in words, in its column "note".
+inline constexpr const char* kNoteQuantity = "note";
+
+/// Prints the results as a table for people, stages left out and notes as sentences, on stdout (unless JSON
+/// goes there) and writes the JSON and CSV that were asked for. Finishes `provenance`.
 void emit_results(const ResultTable& results, Provenance& provenance, const CommonOptions& options);
 
 /// Writes the JSON and CSV that were asked for, and nothing for people: for commands that print a table of

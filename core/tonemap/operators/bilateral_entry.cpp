@@ -41,20 +41,6 @@ const std::vector<Setting>& settings() {
   return table;
 }
 
-BilateralToneOptions options_of(std::string_view variant, const SettingValues& values) {
-  BilateralToneOptions o;
-  o.enhanced = variant == "enhanced";
-  o.exact = number(settings(), values, "filter") == 1;
-  o.sigma_s_share = number(settings(), values, "sigma_s");
-  o.sigma_log10 = number(settings(), values, "sigma_l");
-  o.sigma_d_px = number(settings(), values, "sigma_d");
-  o.compression = number_unless_automatic(settings(), values, "compression");
-  o.brightness = number_unless_automatic(settings(), values, "brightness");
-  o.foreground_scale = number_unless_automatic(settings(), values, "foreground");
-  o.colour_exponent = number(settings(), values, "alpha");
-  return o;
-}
-
 BaseRange base_of_scope(const BilateralToneOptions& options, const FitScope& scope) {
   const auto measure = [&](int i) {
     const OperatorView view = scope.load(i);
@@ -67,7 +53,7 @@ BaseRange base_of_scope(const BilateralToneOptions& options, const FitScope& sco
 }
 
 FittedOperator fit_entry(std::string_view variant, const SettingValues& values, const FitScope& scope) {
-  const BilateralToneOptions options = options_of(variant, values);
+  const BilateralToneOptions options = bilateral_options(variant, values);
   // Bases are only looked at where something depends on them.
   const bool automatic = !options.compression || !options.brightness;
   const BaseRange bases = automatic ? base_of_scope(options, scope) : BaseRange{};
@@ -82,6 +68,20 @@ FittedOperator fit_entry(std::string_view variant, const SettingValues& values, 
 }
 
 }  // namespace
+
+BilateralToneOptions bilateral_options(std::string_view variant, const SettingValues& values) {
+  BilateralToneOptions o;
+  o.enhanced = variant == "enhanced";
+  o.exact = number(settings(), values, "filter") == 1;
+  o.sigma_s_share = number(settings(), values, "sigma_s");
+  o.sigma_log10 = number(settings(), values, "sigma_l");
+  o.sigma_d_px = number(settings(), values, "sigma_d");
+  o.compression = number_unless_automatic(settings(), values, "compression");
+  o.brightness = number_unless_automatic(settings(), values, "brightness");
+  o.foreground_scale = number_unless_automatic(settings(), values, "foreground");
+  o.colour_exponent = number(settings(), values, "alpha");
+  return o;
+}
 
 OperatorInfo bilateral_entry() {
   return {.id = "bilateral",

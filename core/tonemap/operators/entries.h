@@ -3,6 +3,7 @@
 #include <optional>
 #include <string_view>
 
+#include "core/tonemap/bilateral.h"
 #include "core/tonemap/operator.h"
 
 /// Entries of the table of operators, one source file each, and what they share. To add an operator: a file
@@ -14,6 +15,9 @@ OperatorInfo histogram_entry();
 OperatorInfo reinhard_devlin_entry();
 OperatorInfo reinhard_global_entry();
 OperatorInfo robust_adaptive_entry();
+
+/// What a variant of the bilateral operator with these settings does, e.g. to look at its layers.
+BilateralToneOptions bilateral_options(std::string_view variant, const SettingValues& values);
 
 /// The number of a setting that cannot be automatic; its default if `values` lacks it.
 double number(std::span<const Setting> settings, const SettingValues& values, std::string_view name);

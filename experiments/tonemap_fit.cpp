@@ -1,0 +1,67 @@
+#include "experiments/tonemap_fit.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/image/colour.h"
+#include "core/io/exr.h"
+#include "core/io/image_file.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/output.h"
+
+namespace plenolab {
+
+OperatorView read_operator_view(const std::filesystem::path& path, const std::string& disparity,
+                                bool required) {
+  OperatorView view{std::make_shared<const SceneImage>(read_scene_image(path)), nullptr};
+  if (!is_exr_file(path)) return view;
+  const std::vector<ExrPartInfo> parts = read_exr_header(path);
+  const bool there = std::any_of(parts.begin(), parts.end(),
+                                 [&](const ExrPartInfo& part) { return part.has_channel(disparity); });
+  if (there || required)
+    view.disparity =
+        std::make_shared<const DisparityMap>(std::move(read_exr_channels(path, {disparity}).front()));
+  return view;
+}
+
+FittedOperator fit_image(const OperatorChoice& choice, const OperatorView& image, int threads) {
+  const ViewStatistics statistics = measure_view(*image.colour, threads);
+  FitScope scope;
+  scope.load = [&image](int) { return image; };
+  scope.floor = log_floor(statistics);
+  scope.statistics = evaluate(statistics, scope.floor);
+  scope.threads = threads;
+  return choice.info->fit(choice.variant.id, choice.values, scope);
+}
+
+void add_fit_rows(ResultTable& table, const std::vector<FittedValue>& values,
+                  const std::vector<std::string>& notes, const Columns& columns) {
+  for (const FittedValue& value : values)
+    table.add({value.name, value.value, value.unit.empty() ? "1" : value.unit, columns});
+  for (const std::string& note : notes) {
+    Columns with_note = columns;
+    with_note.emplace_back("note", note);
+    table.add({kNoteQuantity, 1, "1", with_note});
+  }
+}
+
+void add_count_rows(ResultTable& table, const MappingCounts& counts, const Columns& columns) {
+  const auto add = [&](const char* quantity, std::int64_t count, const char* unit) {
+    table.add({quantity, static_cast<double>(count), unit, columns});
+  };
+  add("repaired_nan", counts.repairs.nan, "values");
+  add("repaired_infinite", counts.repairs.positive_infinity, "values");
+  add("repaired_negative", counts.repairs.negative, "values");
+  add("floored_pixels", counts.floored_pixels, "px");
+  add("clipped_high", counts.clipped_high, "values");
+  add("clipped_low", counts.clipped_low, "values");
+}
+
+double mean_luma(const DisplayImage& image) {
+  PLENOLAB_CHECK(!image.empty(), "no pixels");
+  double sum = 0;
+  for (const Rgb& c : image.pixels()) sum += luminance(c);
+  return sum / static_cast<double>(image.size());
+}
+
+}  // namespace plenolab
