@@ -1,13 +1,14 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/lightfield/subsample.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
+#include "experiments/cli/operator_options.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
@@ -15,6 +16,7 @@
 #include "experiments/cli/wide_table.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
+#include "experiments/sweep_tonemap.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -25,30 +27,158 @@ struct SweepOptions {
   CommonOptions common;
   std::string method, source;
   std::string out, cache;
+  OperatorOptions chosen;
   int runs = 3;
   bool force = false;
 };
 
-std::vector<SweepStimulus> stimuli_of(const SweepOptions& options) {
-  if (fs::is_directory(options.source)) {
-    const AnyLightField any = open_any_light_field(options.source);
-    const auto* field = std::get_if<LightField>(&any);
-    if (!field)
-      throw InputError(
-          fmt::format("{} is display-referred: a sweep needs radiance (convert HCI folders with --linear)",
-                      options.source));
-    return {stimulus_from_captured(*field)};
-  }
+SceneStimulusOptions stimulus_options(const SweepOptions& options) {
+  return {.cache = render_cache_folder(options.cache),
+          .seed = options.common.seed,
+          .threads = options.common.threads};
+}
+
+/// Whether the source is a file or folder; throws UsageError if it is a path where nothing is.
+bool source_exists(const SweepOptions& options) {
+  if (fs::exists(options.source)) return true;
   if (fs::path(options.source).has_parent_path())
-    throw InputError(fmt::format("{} is not a folder", options.source));
-  return stimuli_from_scene(scene_named(options.source).id, {.cache = render_cache_folder(options.cache),
-                                                             .seed = options.common.seed,
-                                                             .threads = options.common.threads});
+    throw InputError(fmt::format("{} does not exist", options.source));
+  return false;
+}
+
+std::vector<SweepStimulus> stimuli_of(const SweepOptions& options) {
+  if (source_exists(options)) return {stimulus_from_captured(open_radiance(options.source))};
+  return stimuli_from_scene(scene_named(options.source).id, stimulus_options(options));
+}
+
+SweepImage image_of(const SweepOptions& options) {
+  if (source_exists(options)) return image_from_file(options.source);
+  return image_from_scene(scene_named(options.source).id, stimulus_options(options));
+}
+
+LightField field_of(const SweepOptions& options) {
+  if (source_exists(options)) return open_radiance(options.source);
+  return field_from_scene(scene_named(options.source).id, stimulus_options(options));
+}
+
+SweepRun run_of(const SweepOptions& options, ProgressBar& bar) {
+  return {.runs = options.runs, .threads = options.common.threads, .progress = bar.callback()};
+}
+
+/// What a method came to, with its plots below `folder`.
+using RunMethod = ResultTable (*)(const SweepOptions& options, const fs::path& folder);
+
+ResultTable run_synthesis_sweep(const SweepOptions& options, const fs::path& folder) {
+  const std::vector<SweepStimulus> stimuli = stimuli_of(options);
+  SynthesisSweepOptions sweep;
+  sweep.runs = options.runs;
+  sweep.threads = options.common.threads;
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_synthesis(stimuli, sweep, bar.callback());
+  for (const SweepStimulus& s : stimuli) {
+    const int width = s.key_views.grid().width;
+    write_plot(plot_synthesis_sweep(table, s.name, width),
+               folder / fmt::format("sweep-{}-{}px", s.name, width));
+  }
+  return table;
+}
+
+void write_sweep_plot(const ResultTable& table, const SweepPlotDesign& design, const std::string& name,
+                      const fs::path& folder) {
+  const Plot plot = plot_sweep(table, design);
+  if (!plot.series.empty())
+    write_plot(plot, folder / fmt::format("sweep-{}", fs::path(name).stem().string()));
+}
+
+ResultTable run_bilateral_sweep(const SweepOptions& options, const fs::path& folder) {
+  const SweepImage image = image_of(options);
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_bilateral(image, all_grid_samplings(), run_of(options, bar));
+  write_sweep_plot(table, bilateral_sweep_plot(), image.name, folder);
+  return table;
+}
+
+ResultTable run_histogram_sweep(const SweepOptions& options, const fs::path& folder) {
+  const SweepImage image = image_of(options);
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_histogram(image, all_bin_numbers(), run_of(options, bar));
+  write_sweep_plot(table, histogram_sweep_plot(), image.name, folder);
+  return table;
+}
+
+/// Key-view adjustment is for operators that map views one by one: the photoreceptor one if none is named.
+OperatorChoice adjusted_operator(const SweepOptions& options) {
+  OperatorOptions chosen = options.chosen;
+  if (chosen.name.empty()) chosen.name = "reinhard05";
+  const OperatorChoice choice = choose_operator(chosen);
+  require_view_variant(choice);
+  return choice;
+}
+
+ResultTable run_adjustment_sweep(const SweepOptions& options, const fs::path& folder) {
+  const OperatorChoice choice = adjusted_operator(options);
+  const LightField field = field_of(options);
+  const std::string name = fs::path(item_path(options.source)).filename().string();
+  ProgressBar bar("sweep");
+  const ResultTable table =
+      sweep_adjustment(field, name, choice, all_adjustment_settings(field.grid()), run_of(options, bar));
+  write_sweep_plot(table, adjustment_sweep_plot(), name, folder);
+  return table;
+}
+
+/// A method with the table in which people see its rows.
+struct SweepMethod {
+  const char* name;
+  RunMethod run;
+  std::vector<std::string> keys;
+  std::vector<WideColumn> columns;
+};
+
+/// The columns of a tone mapping sweep: errors, what is special to it, time and memory.
+std::vector<WideColumn> tone_columns(const std::vector<WideColumn>& special) {
+  std::vector<WideColumn> columns{{"rms_error", "RMS error"}, {"max_error", "largest error"}};
+  columns.insert(columns.end(), special.begin(), special.end());
+  for (const WideColumn& column : {WideColumn{"seconds_median", "seconds"},
+                                   {"memory_peak_mib", "peak [MiB]"},
+                                   {"on_pareto_front", "Pareto front"}})
+    columns.push_back(column);
+  return columns;
+}
+
+const std::vector<SweepMethod>& methods() {
+  static const std::vector<SweepMethod> table{
+      {"synthesis",
+       run_synthesis_sweep,
+       {"scene", "width", "search", "key_views", "step_px"},
+       sweep_columns()},
+      {"bilateral",
+       run_bilateral_sweep,
+       {"image", "filter", "method", "per_sigma_s", "per_sigma_value", "per_sigma_d"},
+       tone_columns({})},
+      {"histogram", run_histogram_sweep, {"image", "bins"}, tone_columns({{"trimming_passes", "passes"}})},
+      {"adjustment",
+       run_adjustment_sweep,
+       {"light_field", "sigma_views", "support_views"},
+       tone_columns({{"neighbour_difference", "between neighbours"},
+                     {"correspondences_per_pixel", "correspondences"}})},
+  };
+  return table;
+}
+
+const SweepMethod& method_of(const SweepOptions& options) {
+  return *std::find_if(methods().begin(), methods().end(),
+                       [&](const SweepMethod& method) { return method.name == options.method; });
+}
+
+std::vector<std::string> method_names() {
+  std::vector<std::string> names;
+  for (const SweepMethod& method : methods()) names.push_back(method.name);
+  return names;
 }
 
 std::string item_of(const SweepOptions& options) {
-  const bool folder = fs::is_directory(options.source);
-  return fmt::format("{} {}", options.method, folder ? item_path(options.source) : options.source);
+  const bool file = fs::exists(options.source);
+  return fmt::format("{} {}", options.method, file ? item_path(options.source) : options.source);
 }
 
 /// --out, or a folder below results/ that tells sweeps apart.
@@ -58,35 +188,24 @@ std::string output_folder(const SweepOptions& options) {
                      fs::path(item_path(options.source)).filename().string());
 }
 
-void write_sweep(const ResultTable& table, const std::vector<SweepStimulus>& stimuli,
-                 const fs::path& folder) {
-  for (const SweepStimulus& s : stimuli) {
-    const int width = s.key_views.grid().width;
-    write_plot(plot_synthesis_sweep(table, s.name, width),
-               folder / fmt::format("sweep-{}-{}px", s.name, width));
-  }
-  write_text_file(folder / "rows.csv", to_csv(table));
-}
-
 void run_sweep(const Invocation& invocation, const SweepOptions& options) {
+  if (options.method != "adjustment" &&
+      !(options.chosen.name.empty() && options.chosen.variant.empty() && options.chosen.settings.empty()))
+    throw UsageError("--operator, --variant and --set are for 'plenolab sweep adjustment'");
+  if (options.method == "adjustment") adjusted_operator(options);  // wrong use is told before anything is run
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["method"] = options.method;
   provenance.parameters["source"] = options.source;
   provenance.parameters["runs"] = options.runs;
-  const std::vector<SweepStimulus> stimuli = stimuli_of(options);
-  SynthesisSweepOptions sweep;
-  sweep.runs = options.runs;
-  sweep.threads = options.common.threads;
+  const SweepMethod& method = method_of(options);
   ResultTable table;
   const std::string out = output_folder(options), item = item_of(options);
   write_result_folder({out, "sweep", item, options.force}, provenance, [&](const fs::path& folder) {
-    ProgressBar bar("sweep");
-    table = sweep_synthesis(stimuli, sweep, bar.callback());
-    write_sweep(table, stimuli, folder);
+    table = method.run(options, folder);
+    write_text_file(folder / "rows.csv", to_csv(table));
   });
   if (!output_is_for_programs(options.common))
-    fmt::print("{}",
-               to_wide_text(table, {"scene", "width", "search", "key_views", "step_px"}, sweep_columns()));
+    fmt::print("{}", to_wide_text(table, method.keys, method.columns));
   write_results(table, provenance, options.common);
   tell(options.common, fmt::format("wrote plots and rows.csv to {}", out));
 }
@@ -95,11 +214,10 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
 
 void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<SweepOptions>();
-  app.add_option("method", options->method, "Method to sweep")->required()->check(one_of({"synthesis"}));
+  app.add_option("method", options->method, "Method to sweep")->required()->check(one_of(method_names()));
   app.add_option("source", options->source,
-                 "Scene id (truth is rendered, at three image sizes), or folder of a light field (every "
-                 "other view is held "
-                 "out as truth)")
+                 "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
+                 "truth; bilateral, histogram: image with radiance; adjustment: folder of a light field")
       ->required();
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
@@ -108,9 +226,15 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");
+  add_operator_options(app, options->chosen);
   add_force_option(app, options->force);
   add_common_options(app, options->common);
-  app.footer("Example: plenolab sweep synthesis cellar -o results/sweep");
+  app.footer(
+      "synthesis: search, step, key views against rendered or captured truth. bilateral: sampling of the "
+      "grid "
+      "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment.\n"
+      "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
+      "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });
 }
 

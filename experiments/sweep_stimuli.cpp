@@ -5,6 +5,8 @@
 #include "core/base/error.h"
 #include "core/image/repair.h"
 #include "core/lightfield/subsample.h"
+#include "core/tonemap/light_field_mapping.h"
+#include "experiments/tonemap_fit.h"
 #include "stimuli/render_cache.h"
 #include "stimuli/scenes/table.h"
 
@@ -32,6 +34,15 @@ SweepStimulus stimulus_at_width(const PreparedScene& scene, ViewGrid grid, int w
   return stimulus;
 }
 
+RenderSettings settings_of(const Scene& scene, const SceneStimulusOptions& options) {
+  RenderSettings settings;
+  settings.paths_per_pixel =
+      options.paths_per_pixel > 0 ? options.paths_per_pixel : scene.quick.paths_per_pixel;
+  settings.seed = options.seed;
+  settings.threads = options.threads;
+  return settings;
+}
+
 }  // namespace
 
 std::vector<SweepStimulus> stimuli_from_scene(const std::string& scene_id,
@@ -41,11 +52,7 @@ std::vector<SweepStimulus> stimuli_from_scene(const std::string& scene_id,
   grid.columns = 2;
   grid.rows = 2;
   const int full_width = options.width > 0 ? options.width : grid.width;
-  RenderSettings settings;
-  settings.paths_per_pixel =
-      options.paths_per_pixel > 0 ? options.paths_per_pixel : scene.scene().quick.paths_per_pixel;
-  settings.seed = options.seed;
-  settings.threads = options.threads;
+  const RenderSettings settings = settings_of(scene.scene(), options);
   std::vector<SweepStimulus> stimuli;
   for (const int divisor : options.divisors)
     stimuli.push_back(
@@ -79,6 +86,26 @@ SweepStimulus stimulus_from_captured(const LightField& captured) {
             repair(truth);
             return truth;
           }};
+}
+
+SweepImage image_from_file(const std::filesystem::path& path) {
+  return {path.filename().string(), read_operator_view(path)};
+}
+
+SweepImage image_from_scene(const std::string& scene_id, const SceneStimulusOptions& options) {
+  const ViewGrid grid = grid_of(build_scene(scene_id), Preset::kQuick);
+  const LightField field = field_from_scene(scene_id, options);
+  return {scene_id, operator_view(field, grid.columns / 2, grid.rows / 2)};
+}
+
+LightField field_from_scene(const std::string& scene_id, const SceneStimulusOptions& options) {
+  const Scene scene = build_scene(scene_id);
+  ViewGrid grid = grid_of(scene, Preset::kQuick);
+  if (options.width > 0) {
+    grid.height = std::max(1, grid.height * options.width / grid.width);
+    grid.width = options.width;
+  }
+  return render_light_field(scene, grid, settings_of(scene, options), options.cache);
 }
 
 std::vector<WideColumn> sweep_columns() {

@@ -6,6 +6,7 @@
 
 #include "experiments/cli/wide_table.h"
 #include "experiments/sweep_synthesis.h"
+#include "experiments/sweep_tonemap.h"
 
 namespace plenolab {
 
@@ -27,6 +28,13 @@ std::vector<SweepStimulus> stimuli_from_scene(const std::string& scene_id,
 /// Every other view of a captured light field as key view, and up to three of the others, spread over the
 /// grid, as truth. Throws InputError if no view is left as truth.
 SweepStimulus stimulus_from_captured(const LightField& captured);
+
+/// An image file (.exr with its channel disparity, if there, .hdr, .pfm).
+SweepImage image_from_file(const std::filesystem::path& path);
+/// The middle view of a scene's quick grid, with disparity.
+SweepImage image_from_scene(const std::string& scene_id, const SceneStimulusOptions& options);
+/// All key views of a scene's quick grid.
+LightField field_from_scene(const std::string& scene_id, const SceneStimulusOptions& options);
 
 /// The columns in which a sweep is shown to people.
 std::vector<WideColumn> sweep_columns();
