@@ -6,7 +6,8 @@ namespace plenolab {
 
 /// Colour of a number in [0, 1] on the map "inferno" (black – purple – orange – light yellow), perceptually
 /// uniform, safe for colour-blind readers and in grey print: polynomial of degree 6 fitted to the table of
-/// van der Walt & Smith 2015 (to 0.013 in red and green, 0.035 in blue). Encoded (display) values. Values outside [0, 1] count as the nearer end.
+/// van der Walt & Smith 2015 (to 0.013 in red and green, 0.035 in blue). Encoded (display) values. Values
+/// outside [0, 1] count as the nearer end.
 Rgb inferno(float value);
 
 /// How error maps are drawn.
