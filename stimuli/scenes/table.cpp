@@ -16,6 +16,8 @@ constexpr std::array kScenes{
     SceneEntry{"tunnel", "Tunnel", build_tunnel},
     SceneEntry{"tree", "Tree", build_tree},
     SceneEntry{"boats", "Boats and Lanterns", build_boats},
+    SceneEntry{"dunes", "Dunes", build_dunes},
+    SceneEntry{"dominoes", "Dominoes", build_dominoes},
 };
 
 }  // namespace

@@ -28,5 +28,7 @@ Scene build_cellar_shafts();
 Scene build_tunnel();
 Scene build_tree();
 Scene build_boats();
+Scene build_dunes();
+Scene build_dominoes();
 
 }  // namespace plenolab
