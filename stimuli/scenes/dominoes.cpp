@@ -300,7 +300,7 @@ Scene build_dominoes() {
                   .width = 960,
                   .height = 540,
                   .paths_per_pixel = 512};
-  result.max_bounces = 4;
+  result.max_bounces = 3;
   return result;
 }
 

@@ -18,6 +18,7 @@ constexpr std::array kScenes{
     SceneEntry{"boats", "Boats and Lanterns", build_boats},
     SceneEntry{"dunes", "Dunes", build_dunes},
     SceneEntry{"dominoes", "Dominoes", build_dominoes},
+    SceneEntry{"desk", "Desk", build_desk},
 };
 
 }  // namespace

@@ -30,5 +30,6 @@ Scene build_tree();
 Scene build_boats();
 Scene build_dunes();
 Scene build_dominoes();
+Scene build_desk();
 
 }  // namespace plenolab
