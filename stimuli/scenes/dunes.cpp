@@ -1,9 +1,9 @@
 // Dunes: sand dunes in the last hour of a clear day. The cameras stand in the shadow of a sharp crest that
 // climbs to the right, and the sun stands on that crest: the upper rows of the grid see the whole disc, the
 // middle of the grid about half of it, the lower rows only its glow. Dust scatters light forwards into an
-// aureole that falls by four decades within two degrees, so the peak luminance changes by degrees and not at
-// once: a real and gradual change of light, to which a tone mapping operator should adapt. Sky fills the
-// upper border of every view.
+// aureole that falls by almost three decades within two degrees, so the peak luminance goes on changing when
+// the disc is hidden: a real and gradual change of light, to which a tone mapping operator should adapt. Sky
+// fills the upper border of every view.
 //
 // Light: direct sun of 30 000 lx (disc 4.5·10⁸ cd/m²), aureole 3·10⁷ cd/m² at the limb, daylight sky of
 // turbidity 4; sunlit sand 1 000–6 000 cd/m², shaded sand 100–600 cd/m².

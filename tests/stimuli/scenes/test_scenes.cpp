@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
 #include <string>
+#include <vector>
 
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
@@ -193,6 +195,80 @@ TEST(CellarScene, HasAPostThatSomeCamerasOfTheQuickGridDoNotSee) {
   };
   EXPECT_EQ(pixels_of_post(0), 0u);
   EXPECT_GT(pixels_of_post(grid.columns - 1), 54u * 10u);
+}
+
+/// Luminances of one view of the quick grid at another width, sorted; 16 paths a pixel.
+std::vector<float> sorted_luminance(const PreparedScene& scene, CameraPosition at, int width) {
+  ViewGrid grid = grid_of(scene.scene(), Preset::kQuick);
+  grid.width = width;
+  grid.height = width * 9 / 16;
+  RenderSettings settings;
+  settings.paths_per_pixel = 16;
+  const KeyView<SceneReferred> view = render_view(scene, grid, at, settings).view;
+  std::vector<float> values;
+  for (const Rgb& c : view.colour.pixels()) values.push_back(luminance(c));
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+float percentile(const std::vector<float>& sorted, double share) {
+  return sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+TEST(DunesScene, HidesTheSunByDegreesFromTheUpperToTheLowerRows) {
+  Scene scene = build_scene("dunes");
+  scene.max_bounces = 0;  // what is lit does not matter
+  const PreparedScene prepared(scene);
+  ViewGrid grid = grid_of(scene, Preset::kQuick);
+  RenderSettings settings;
+  settings.paths_per_pixel = 16;
+  settings.row_begin = grid.height / 5;
+  settings.row_end = grid.height / 2;
+  std::vector<std::size_t> samples_of_disc;
+  std::vector<float> brightest;
+  for (const double row : {0.0, 1.0, 2.0}) {
+    const SampledView view = render_samples(prepared, grid, {2, row}, settings);
+    std::size_t count = 0;
+    float peak = 0;
+    for (const Rgb& c : view.radiance.pixels()) {
+      count += luminance(c) > 2e8f ? 1u : 0u;
+      peak = std::max(peak, luminance(c));
+    }
+    samples_of_disc.push_back(count);
+    brightest.push_back(peak);
+  }
+  EXPECT_GT(samples_of_disc[0], 100u);
+  EXPECT_GT(samples_of_disc[1], samples_of_disc[0] / 4);
+  EXPECT_LT(samples_of_disc[1], samples_of_disc[0] * 3 / 4);
+  EXPECT_EQ(samples_of_disc[2], 0u);
+  EXPECT_GT(brightest[2], 1e5f) << "the aureole is still seen";
+}
+
+TEST(DominoesScene, HasTheSameExtremeInDistantViewsAlthoughTheyAreNoisy) {
+  const PreparedScene prepared(build_scene("dominoes"));
+  std::vector<float> peaks;
+  for (const CameraPosition at : {CameraPosition{0, 0}, CameraPosition{4, 2}}) {
+    const std::vector<float> values = sorted_luminance(prepared, at, 64);
+    peaks.push_back(values.back());
+    EXPECT_GT(values.back(), 100 * percentile(values, 0.5));
+  }
+  EXPECT_NEAR(peaks[0], peaks[1], 0.15f * peaks[0]);
+}
+
+TEST(DeskScene, HasExtremesThatChangeBetweenNeighboursThoughItsLightDoesNot) {
+  const PreparedScene prepared(build_scene("desk"));
+  std::vector<float> peaks, high;
+  for (const double column : {0.0, 1.0, 2.0, 3.0}) {
+    const std::vector<float> values = sorted_luminance(prepared, {column, 1}, 128);
+    peaks.push_back(values.back());
+    high.push_back(percentile(values, 0.99));
+  }
+  const auto spread = [](const std::vector<float>& v) {
+    const auto [least, most] = std::minmax_element(v.begin(), v.end());
+    return *most / *least;
+  };
+  EXPECT_GT(spread(peaks), 3);
+  EXPECT_LT(spread(high), 1.2f);
 }
 
 }  // namespace
