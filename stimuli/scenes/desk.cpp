@@ -4,8 +4,8 @@
 // and smaller than a pixel. They come and go from one view to the next, and the brightest of them decides the
 // maximum of its view: outliers set the extremes, although the light of the scene does not change at all.
 //
-// Light: halogen bulb of 3·10⁶ cd/m² in a shade that hides it from the cameras, its lit lining 4 000 cd/m²,
-// the ceiling behind the cameras 160 cd/m²; paper about 500 cd/m², wood 20–80 cd/m², the night in the window
+// Light: halogen bulb of 4.5·10⁶ cd/m² in a shade that hides it from the cameras, its lit lining 6 000 cd/m²,
+// the ceiling behind the cameras 160 cd/m²; paper about 700 cd/m², wood 20–80 cd/m², the night in the window
 // 0.01 cd/m² with lights of 190 cd/m²; highlights 10³–10⁵ cd/m² as pixels see them.
 
 #include <cmath>
@@ -58,8 +58,8 @@ Materials make_materials(SceneAssembler& scene) {
   m.paper = scene.material(diffuse(paper_colour));
   m.blotter = scene.material(diffuse(mottled({0.05f, 0.12f, 0.09f}, {0.07f, 0.15f, 0.11f}, 0.04f, 0, 23)));
   m.shade_out = scene.material(glossy(plain({0.03f, 0.16f, 0.11f}), constant(0.15f), 1.5f));
-  m.lining = scene.material(lamp({5000, 4000, 2500}));
-  m.bulb = scene.material(lamp({3.8e6f, 2.9e6f, 1.72e6f}));
+  m.lining = scene.material(lamp({7500, 6000, 3800}));
+  m.bulb = scene.material(lamp({5.7e6f, 4.35e6f, 2.6e6f}));
   m.ceiling = scene.material(lamp({190, 156, 108}));
   m.night = scene.material(diffuse(plain({0.01f, 0.012f, 0.02f})));
   m.lights = scene.material(lamp({260, 180, 90}));
