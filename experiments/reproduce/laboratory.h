@@ -52,7 +52,8 @@ class Laboratory {
 
   const LaboratoryOptions& options() const { return options_; }
 
-  /// Ids of all scenes of the table, in its order.
+  /// Ids of the scenes on which geometry and appearance of synthesised views are judged (sections 3, 4
+  /// and 6.1 of the thesis); those made for tone mapping are not among them.
   std::vector<std::string> scene_ids() const;
   const Scene& scene(const std::string& id);
   /// The grid at which the scene is recorded in this run.
