@@ -41,27 +41,44 @@ double held_memory_mib(const Synthesizer& synthesizer, const NovelView<SceneRefe
   return (key_view_bytes + static_cast<double>(synthesizer.prepared_bytes()) + result_bytes) / 0x1p20;
 }
 
-/// Peak of preparing the key views and synthesising one view from them. They are loaded before, so that
-/// reading and rendering them does not count.
-std::optional<double> measured_peak_mib(const SweepStimulus& stimulus, const SynthesisOptions& options) {
-  const auto work = [&] { Synthesizer(stimulus.key_views).synthesize(stimulus.positions.front(), options); };
-  work();
-  return peak_memory_mib(work);
+/// The cheapest synthesis that prepares the same key views, so that the calls after it find them ready.
+void prepare_key_views(const Synthesizer& synthesizer, CameraPosition position, SynthesisOptions options) {
+  options.search = SearchKind::kFast;
+  options.step_px = 4;
+  synthesizer.synthesize(position, options);
 }
 
-Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths,
-                    const SynthesisSetting& setting, const SynthesisSweepOptions& options) {
+/// Peak of preparing the key views and synthesising one view from them. They were loaded for the errors, so
+/// reading and rendering them does not count.
+std::optional<double> measured_peak_mib(const SweepStimulus& stimulus, const SynthesisOptions& options) {
+  return peak_memory_mib(
+      [&] { Synthesizer(stimulus.key_views).synthesize(stimulus.positions.front(), options); });
+}
+
+SynthesisOptions synthesis_options(const SynthesisSetting& setting, int threads) {
   SynthesisOptions synthesis;
   synthesis.search = setting.search;
   synthesis.step_px = setting.step_px;
   synthesis.key_views = setting.key_views;
-  synthesis.threads = options.threads;
-  Outcome outcome{.setting = setting, .peak_mib = measured_peak_mib(stimulus, synthesis)};
+  synthesis.threads = threads;
+  return synthesis;
+}
+
+/// Error and run time at all positions; the peak is measured apart, when this synthesizer is gone.
+Outcome score_and_time(const SweepStimulus& stimulus, const std::vector<SceneImage>& truths,
+                       const SynthesisSetting& setting, const SynthesisSweepOptions& options) {
+  const SynthesisOptions synthesis = synthesis_options(setting, options.threads);
+  Outcome outcome{.setting = setting, .peak_mib = {}};
   const Synthesizer synthesizer(stimulus.key_views);
   std::vector<double> psnrs, seconds;
   for (std::size_t i = 0; i < stimulus.positions.size(); ++i) {
-    // The first call also prepares the key views: it gives the error, the following ones the time.
-    const auto view = synthesizer.synthesize(stimulus.positions[i], synthesis);
+    prepare_key_views(synthesizer, stimulus.positions[i], synthesis);
+    NovelView<SceneReferred> view;
+    for (int run = 0; run < options.runs; ++run) {
+      const Stopwatch watch;
+      view = synthesizer.synthesize(stimulus.positions[i], synthesis);
+      seconds.push_back(watch.seconds());
+    }
     ComparisonConditions conditions;
     conditions.exposure = exposure_from(truths[i]);
     conditions.threads = options.threads;
@@ -69,11 +86,6 @@ Outcome run_setting(const SweepStimulus& stimulus, const std::vector<SceneImage>
     outcome.samples_per_search +=
         view.statistics.samples_per_search() / static_cast<double>(stimulus.positions.size());
     outcome.held_mib = std::max(outcome.held_mib, held_memory_mib(synthesizer, view));
-    for (int run = 0; run < options.runs; ++run) {
-      const Stopwatch watch;
-      synthesizer.synthesize(stimulus.positions[i], synthesis);
-      seconds.push_back(watch.seconds());
-    }
   }
   outcome.psnr_db = pooled_psnr_db(psnrs);
   outcome.timing = summarise_times(seconds);
@@ -135,7 +147,8 @@ ResultTable sweep_synthesis(const std::vector<SweepStimulus>& stimuli, const Syn
     for (const CameraPosition& position : stimulus.positions) truths.push_back(stimulus.truth(position));
     std::vector<Outcome> outcomes;
     for (const SynthesisSetting& setting : options.settings) {
-      outcomes.push_back(run_setting(stimulus, truths, setting, options));
+      outcomes.push_back(score_and_time(stimulus, truths, setting, options));
+      outcomes.back().peak_mib = measured_peak_mib(stimulus, synthesis_options(setting, options.threads));
       if (progress) progress(++done / total);
     }
     add_rows(table, stimulus, outcomes);

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <mutex>
 #include <numbers>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -16,11 +17,16 @@
 namespace plenolab {
 
 struct PreparedScene::State {
-  explicit State(const Scene& s) : scene(s), world(scene), needed(tracer::features_of(scene, left_out)) {}
-  Scene scene;
+  explicit State(const Scene& scene) : world(scene), needed(tracer::features_of(scene, left_out)) {}
   tracer::World world;
   std::vector<PrunedStage> left_out;
   tracer::Features needed;
+};
+
+struct PreparedScene::Shared {
+  Scene scene;
+  std::once_flag preparation;
+  std::optional<State> state;
 };
 
 namespace {
@@ -183,13 +189,18 @@ double RenderStats::mrays_per_second() const {
   return seconds > 0 ? static_cast<double>(rays()) / seconds * 1e-6 : 0.0;
 }
 
-PreparedScene::PreparedScene(const Scene& scene) {
+PreparedScene::PreparedScene(const Scene& scene) : shared_(std::make_shared<Shared>()) {
   validate(scene);
-  state_ = std::make_shared<const State>(scene);
+  shared_->scene = scene;
 }
 
 const Scene& PreparedScene::scene() const {
-  return state_->scene;
+  return shared_->scene;
+}
+
+const PreparedScene::State& PreparedScene::state() const {
+  std::call_once(shared_->preparation, [this] { shared_->state.emplace(shared_->scene); });
+  return *shared_->state;
 }
 
 RenderedView render_view(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,

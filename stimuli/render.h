@@ -47,7 +47,9 @@ struct RenderStats {
   double mrays_per_second() const;
 };
 
-/// A scene made ready for rays: acceleration structure, light distributions. Immutable and cheap to copy.
+/// A scene made ready for rays: acceleration structure, light distributions. Cheap to copy; copies share the
+/// preparation, which is done when the first view is rendered, by whichever thread comes first: a scene all
+/// of whose views are in the cache costs none.
 class PreparedScene {
  public:
   /// Copies the scene. Throws InputError as validate() does.
@@ -55,10 +57,11 @@ class PreparedScene {
   const Scene& scene() const;
 
   struct State;
-  const State& state() const { return *state_; }
+  const State& state() const;
 
  private:
-  std::shared_ptr<const State> state_;
+  struct Shared;
+  std::shared_ptr<Shared> shared_;
 };
 
 struct RenderedView {

@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <mutex>
 #include <optional>
 
 #include "core/base/content_hash.h"
@@ -52,37 +50,6 @@ fs::path entry_path(const fs::path& folder, const Scene& scene, const std::strin
   return folder / (scene.id.empty() ? "unnamed" : scene.id) / (key + ".exr");
 }
 
-/// A scene that is prepared when its first view has to be rendered: a full cache costs no preparation.
-class LazyScene {
- public:
-  explicit LazyScene(const Scene& scene) : scene_(scene) {}
-  const Scene& scene() const { return scene_; }
-  const PreparedScene& prepared() {
-    std::call_once(once_, [&] { prepared_.emplace(scene_); });
-    return *prepared_;
-  }
-
- private:
-  Scene scene_;
-  std::once_flag once_;
-  std::optional<PreparedScene> prepared_;
-};
-
-template <class Prepared>
-CachedView load_or_render(const Scene& scene, Prepared prepared, const ViewGrid& grid,
-                          CameraPosition position, const RenderSettings& settings, const fs::path& folder,
-                          const Progress& progress) {
-  if (folder.empty()) return {render_view(prepared(), grid, position, settings, progress), false};
-  const fs::path path = entry_path(folder, scene, render_cache_key(scene, grid, position, settings));
-  if (auto view = load_entry(path, grid)) return {{std::move(*view), {}}, true};
-  CachedView result{render_view(prepared(), grid, position, settings, progress), false};
-  ExrWriteOptions options;
-  options.colour_type = ExrPixelType::kFloat;
-  const auto& view = result.rendered.view;
-  write_exr(path, view.colour, {{kChannels[3], &view.disparity}}, options);
-  return result;
-}
-
 }  // namespace
 
 std::string scene_source_hash(const std::string& scene_id) {
@@ -119,25 +86,28 @@ std::string render_cache_key(const Scene& scene, const ViewGrid& grid, CameraPos
 }
 
 CachedView render_view_cached(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,
-                              const RenderSettings& settings, const fs::path& cache_folder,
+                              const RenderSettings& settings, const fs::path& folder,
                               const Progress& progress) {
-  return load_or_render(
-      scene.scene(), [&]() -> const PreparedScene& { return scene; }, grid, position, settings, cache_folder,
-      progress);
+  if (folder.empty()) return {render_view(scene, grid, position, settings, progress), false};
+  const fs::path path =
+      entry_path(folder, scene.scene(), render_cache_key(scene.scene(), grid, position, settings));
+  if (auto view = load_entry(path, grid)) return {{std::move(*view), {}}, true};
+  CachedView result{render_view(scene, grid, position, settings, progress), false};
+  ExrWriteOptions options;
+  options.colour_type = ExrPixelType::kFloat;
+  const auto& view = result.rendered.view;
+  write_exr(path, view.colour, {{kChannels[3], &view.disparity}}, options);
+  return result;
 }
 
 LightField render_light_field(const Scene& scene, const ViewGrid& grid, const RenderSettings& settings,
                               const fs::path& cache_folder, const Progress& view_progress,
                               std::size_t memory_bound_bytes) {
-  validate(scene);
   grid.validate();
   settings.validate();
-  const auto lazy = std::make_shared<LazyScene>(scene);
-  const auto load = [=](int column, int row) {
+  const auto load = [=, prepared = PreparedScene(scene)](int column, int row) {
     const CameraPosition position{static_cast<double>(column), static_cast<double>(row)};
-    CachedView view = load_or_render(
-        lazy->scene(), [&]() -> const PreparedScene& { return lazy->prepared(); }, grid, position, settings,
-        cache_folder, view_progress);
+    CachedView view = render_view_cached(prepared, grid, position, settings, cache_folder, view_progress);
     return std::move(view.rendered.view);
   };
   return LightField(grid, RadianceUnit::kCdM2, scene.id, load, memory_bound_bytes);

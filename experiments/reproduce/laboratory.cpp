@@ -11,8 +11,7 @@
 namespace plenolab {
 
 struct Laboratory::SceneState {
-  Scene scene;
-  std::optional<PreparedScene> prepared;
+  PreparedScene scene;
   std::optional<LightField> light_field;
   std::optional<Synthesizer> synthesizer;
 };
@@ -48,12 +47,12 @@ std::vector<std::string> Laboratory::scene_ids() const {
 
 Laboratory::SceneState& Laboratory::state(const std::string& id) {
   std::unique_ptr<SceneState>& state = scenes_[id];
-  if (!state) state = std::make_unique<SceneState>(SceneState{build_scene(id), {}, {}, {}});
+  if (!state) state = std::make_unique<SceneState>(SceneState{PreparedScene(build_scene(id)), {}, {}});
   return *state;
 }
 
 const Scene& Laboratory::scene(const std::string& id) {
-  return state(id).scene;
+  return state(id).scene.scene();
 }
 
 ViewGrid Laboratory::grid(const std::string& id) {
@@ -99,12 +98,10 @@ KeyView<SceneReferred> Laboratory::render_prepared(const PreparedScene& scene, c
 LightField Laboratory::light_field(const std::string& id) {
   SceneState& s = state(id);
   if (!s.light_field) {
-    if (!s.prepared) s.prepared.emplace(s.scene);
     const ViewGrid views = grid(id);
     const int paths = paths_per_pixel(id);
     s.light_field.emplace(views, RadianceUnit::kCdM2, id, [this, &s, views, paths](int column, int row) {
-      return render_prepared(*s.prepared, views, {static_cast<double>(column), static_cast<double>(row)},
-                             paths);
+      return render_prepared(s.scene, views, {static_cast<double>(column), static_cast<double>(row)}, paths);
     });
   }
   return *s.light_field;
@@ -118,15 +115,13 @@ const Synthesizer& Laboratory::synthesizer(const std::string& id) {
 
 KeyView<SceneReferred> Laboratory::truth(const std::string& id, CameraPosition position, int path_factor) {
   SceneState& s = state(id);
-  if (!s.prepared) s.prepared.emplace(s.scene);
-  return render_prepared(*s.prepared, grid(id), position, path_factor * paths_per_pixel(id));
+  return render_prepared(s.scene, grid(id), position, path_factor * paths_per_pixel(id));
 }
 
 std::vector<SceneImage> Laboratory::truth_rows(const std::string& id,
                                                const std::vector<CameraPosition>& positions, int row,
                                                int path_factor) {
   SceneState& s = state(id);
-  if (!s.prepared) s.prepared.emplace(s.scene);
   const ViewGrid views = grid(id);
   RenderSettings one_row = settings(path_factor * paths_per_pixel(id));
   one_row.row_begin = row;
@@ -137,7 +132,7 @@ std::vector<SceneImage> Laboratory::truth_rows(const std::string& id,
   const Stopwatch watch;
   parallel_for(static_cast<int>(positions.size()), 1, options_.threads, [&](int begin, int end) {
     for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i) {
-      const CachedView view = render_view_cached(*s.prepared, views, positions[i], one_row, options_.cache);
+      const CachedView view = render_view_cached(s.scene, views, positions[i], one_row, options_.cache);
       rows[i] = SceneImage(views.width, 1);
       std::copy_n(view.rendered.view.colour.row(row), views.width, rows[i].row(0));
       rays[i] = view.rendered.stats.rays();

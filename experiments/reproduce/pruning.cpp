@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "analysis/timing.h"
@@ -13,6 +14,9 @@ namespace plenolab {
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 
 namespace {
+
+/// Width of the views rendered with and without leaving out: small, but with every kind of path in them.
+constexpr int kRenderedWidth = 64;
 
 /// A stimulus, and where in it a view is wanted.
 struct SynthesisCase {
@@ -67,48 +71,56 @@ std::vector<SynthesisCase> synthesis_cases(Laboratory& laboratory) {
   return cases;
 }
 
+/// Runs `work(true)` and `work(false)`, with and without leaving out, by turns, so that a change of the
+/// machine's speed meets both; fills in the median times and returns the last two results.
+template <class Work>
+auto time_by_turns(PruningOutcome& outcome, const Work& work) {
+  constexpr int kRuns = 3;
+  std::array<std::vector<double>, 2> seconds;
+  std::array<decltype(work(true)), 2> results;
+  for (int run = 0; run < kRuns; ++run)
+    for (const std::size_t full : {0u, 1u}) {
+      const Stopwatch watch;
+      results[full] = work(full == 0);
+      seconds[full].push_back(watch.seconds());
+    }
+  outcome.seconds_pruned = summarise_times(seconds[0]).median_s;
+  outcome.seconds_full = summarise_times(seconds[1]).median_s;
+  return results;
+}
+
 PruningOutcome prune_synthesis(const SynthesisCase& c, int threads) {
   const Synthesizer synthesizer(c.field);
   SynthesisOptions options;
   options.threads = threads;
+  synthesizer.synthesize(c.position, options);  // prepares the key views
   PruningOutcome outcome{.part = "synthesis", .stimulus = c.name, .stages = {}};
-  const auto pruned = synthesizer.synthesize(c.position, options);
+  const auto [pruned, full] = time_by_turns(outcome, [&](bool prune) {
+    options.prune = prune;
+    return synthesizer.synthesize(c.position, options);
+  });
   outcome.stages = pruned.pruned;
-  options.prune = false;
-  const auto full = synthesizer.synthesize(c.position, options);
   outcome.equal = pruned.image == full.image && pruned.unseen == full.unseen &&
                   pruned.visible_views == full.visible_views && pruned.restored == full.restored;
-  const auto median_seconds = [&](bool prune) {
-    options.prune = prune;
-    return time_repeated([&] { synthesizer.synthesize(c.position, options); }, {.runs = 3, .warm_up_runs = 0})
-        .median_s;
-  };
-  outcome.seconds_pruned = median_seconds(true);
-  outcome.seconds_full = median_seconds(false);
   return outcome;
 }
 
 PruningOutcome prune_rendering(Laboratory& laboratory, const std::string& id) {
   ViewGrid grid = laboratory.grid(id);
-  grid.height = std::max(1, grid.height * 96 / grid.width);
-  grid.width = 96;
+  grid.height = std::max(1, grid.height * kRenderedWidth / grid.width);
+  grid.width = kRenderedWidth;
   const PreparedScene scene(laboratory.scene(id));
   RenderSettings settings;
   settings.paths_per_pixel = kBlockSamples;
   settings.seed = laboratory.options().seed;
   settings.threads = laboratory.options().threads;
-  const auto render = [&](bool prune) {
+  PruningOutcome outcome{.part = "rendering", .stimulus = id, .stages = {}};
+  const auto [pruned, full] = time_by_turns(outcome, [&](bool prune) {
     settings.prune = prune;
     return render_view(scene, grid, {0, 0}, settings);
-  };
-  const RenderedView pruned = render(true), full = render(false);
-  PruningOutcome outcome{.part = "rendering", .stimulus = id, .stages = pruned.stats.pruned};
+  });
+  outcome.stages = pruned.stats.pruned;
   outcome.equal = pruned.view.colour == full.view.colour && pruned.view.disparity == full.view.disparity;
-  const auto median_seconds = [&](bool prune) {
-    return time_repeated([&] { render(prune); }, {.runs = 3, .warm_up_runs = 0}).median_s;
-  };
-  outcome.seconds_pruned = median_seconds(true);
-  outcome.seconds_full = median_seconds(false);
   return outcome;
 }
 

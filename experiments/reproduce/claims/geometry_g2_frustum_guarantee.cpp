@@ -94,7 +94,7 @@ FieldCount count_field(const std::string& name, const Synthesizer& synthesizer,
 /// side.
 FieldCount count_plane(double share, std::uint64_t seed, int threads) {
   const ViewGrid grid = probe_grid(2, 2, 0.1, kPlaneWidth, kPlaneHeight);
-  const FlatSurface plane{share * grid.height, {}, [](double, double) { return Rgb{0.5f, 0.5f, 0.5f}; }};
+  const FlatSurface plane{share * grid.height, {}, Rgb{0.5f, 0.5f, 0.5f}};
   FlatWorld world;
   world.surfaces = {plane};
   return count_field("plane", Synthesizer(flat_light_field(world, grid, "plane probe", threads)),

@@ -56,7 +56,7 @@ BarProbe random_bar(double width_px, RandomStream& random) {
 FlatWorld world_of(const BarProbe& bar) {
   const auto plain = [](double v) {
     const float value = static_cast<float>(v);
-    return [value](double, double) { return Rgb{value, value, value}; };
+    return Rgb{value, value, value};
   };
   FlatSurface front{bar.bar_px, {}, plain(kForeground)};
   front.covers = [bar, c = std::cos(bar.angle), s = std::sin(bar.angle)](double x, double y) {

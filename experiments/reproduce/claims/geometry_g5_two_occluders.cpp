@@ -12,8 +12,8 @@ namespace {
 // Of each kind. A kind that never leaves such background then has an interval up to 2.5 %, half of
 // kOftenShare, and one at twice kOftenShare an interval that stays above it.
 constexpr int kPlacements = 240;
-// Geometry alone is fast: shares of 3.2 % and of 7 % are told from kOftenShare.
-constexpr int kGeometryPlacements = 480;
+// Geometry alone is fast: shares of 3.2 % and of 6.8 % are told from kOftenShare.
+constexpr int kGeometryPlacements = 960;
 
 /// "Whatever their shape" holds if it holds for the kind with the fewest such placements. That kind is chosen
 /// by its number among four, so its interval is as wide as four need that hold together.

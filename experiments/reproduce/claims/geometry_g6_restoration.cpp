@@ -23,9 +23,9 @@ namespace {
 constexpr double kAsTheRest = 1;
 
 // Cells of a scene at whose centres it is judged, spread over the grid.
-constexpr std::size_t kJudgedCells = 6, kJudgedCellsTiny = 2;
+constexpr std::size_t kJudgedCells = 8, kJudgedCellsTiny = 2;
 
-constexpr int kPlacements = 8;  // of each concave kind
+constexpr int kPlacements = 12;  // of each concave kind
 constexpr std::uint64_t kPurpose = 0x4736;
 
 /// What restoration was measured on: a scene or a set of probes.

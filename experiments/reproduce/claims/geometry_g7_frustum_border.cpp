@@ -12,7 +12,7 @@ ReproductionResult reproduce_claim_g7(Laboratory& laboratory);
 namespace {
 
 // Of each kind, as for pairs of occluders (A-G5).
-constexpr int kPlacements = 96, kGeometryPlacements = 480;
+constexpr int kPlacements = 240, kGeometryPlacements = 960;
 
 /// The claim is made for a beam along the image border (figure 31); whether it holds for convex occluders in
 /// general is another question, and their mean would answer neither.

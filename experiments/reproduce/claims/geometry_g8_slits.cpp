@@ -71,7 +71,7 @@ FlatWorld world_of(const PlateProbe& probe, bool uniform_background) {
   };
   FlatSurface background{probe.background_px, {}, {}};
   if (uniform_background)
-    background.colour = [](double, double) { return Rgb{0.52f, 0.52f, 0.52f}; };
+    background.colour = Rgb{0.52f, 0.52f, 0.52f};
   else
     background.colour = flat_pattern(4, probe.pattern + 1);
   return {.surfaces = {plate, background}};

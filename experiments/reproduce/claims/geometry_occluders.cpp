@@ -77,6 +77,45 @@ UnseenCauses causes_of(const Mask& unseen, const FlatWorld& world, const ViewGri
   return causes;
 }
 
+/// The surface that covers everything and so is seen wherever no other one is.
+const FlatSurface& background_of(const FlatWorld& world) {
+  return *std::min_element(
+      world.surfaces.begin(), world.surfaces.end(),
+      [](const FlatSurface& a, const FlatSurface& b) { return a.disparity_px < b.disparity_px; });
+}
+
+/// Marks the pixels of a row of the view in which something else than background seen by the first corner
+/// view, too, is possible: within the bounds of an occluder, in this view or as the corner sees it, or
+/// outside of the corner's image. All others are shown, without a look at silhouettes.
+void mark_doubtful(std::vector<unsigned char>& doubtful, const FlatWorld& world, const ViewGrid& grid,
+                   CameraPosition position, double y) {
+  std::fill(doubtful.begin(), doubtful.end(), 0);
+  const auto mark = [&](double left, double right) {
+    const double width = grid.width;
+    const auto begin = static_cast<int>(std::clamp(std::floor(left - 0.5), 0.0, width));
+    const auto end = static_cast<int>(std::clamp(std::ceil(right + 0.5), 0.0, width));
+    std::fill(doubtful.begin() + begin, doubtful.begin() + std::max(begin, end), 1);
+  };
+  const FlatSurface& background = background_of(world);
+  const CameraPosition corner = kCorners.front();
+  const double corner_dx = (position.s - corner.s) * background.disparity_px;
+  const double corner_y = y + (position.t - corner.t) * background.disparity_px;
+  if (corner_y < 0 || corner_y > grid.height) return mark(0, grid.width);
+  mark(-1, -corner_dx);
+  mark(grid.width - corner_dx, grid.width + 1);
+  for (const FlatSurface& surface : world.surfaces) {
+    if (&surface == &background) continue;
+    const auto mark_bounds = [&](CameraPosition view, double row, double dx) {
+      const double shift_x = (view.s - world.origin.s) * surface.disparity_px;
+      const double shift_y = (view.t - world.origin.t) * surface.disparity_px;
+      if (row + shift_y < surface.bounds.top || row + shift_y > surface.bounds.bottom) return;
+      mark(surface.bounds.left - shift_x - dx, surface.bounds.right - shift_x - dx);
+    };
+    mark_bounds(position, y, 0);
+    mark_bounds(corner, corner_y, corner_dx);
+  }
+}
+
 /// Adds what geometry hides from one position.
 void add_geometry(OccluderOutcome& outcome, const Mask& all_hidden) {
   const auto hidden = static_cast<double>(count_set(beyond_rim(all_hidden)));
@@ -97,13 +136,15 @@ std::vector<CameraPosition> positions_in_cell(std::uint64_t seed) {
 
 Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position) {
   Mask hidden(grid.width, grid.height);
-  for (int y = 0; y < grid.height; ++y)
-    for (int x = 0; x < grid.width; ++x) {
-      bool shown = false;
-      for (const CameraPosition corner : kCorners)
-        shown = shown || is_shown(world, grid, position, x + 0.5, y + 0.5, corner);
-      hidden.at(x, y) = shown ? 0 : 1;
-    }
+  std::vector<unsigned char> doubtful(static_cast<std::size_t>(grid.width));
+  for (int y = 0; y < grid.height; ++y) {
+    mark_doubtful(doubtful, world, grid, position, y + 0.5);
+    for (int x = 0; x < grid.width; ++x)
+      if (doubtful[static_cast<std::size_t>(x)] != 0)
+        hidden.at(x, y) = std::none_of(kCorners.begin(), kCorners.end(), [&](CameraPosition corner) {
+          return is_shown(world, grid, position, x + 0.5, y + 0.5, corner);
+        });
+  }
   return hidden;
 }
 

@@ -85,7 +85,6 @@ OccluderPlacement place_at_border(ShapeKind kind, RandomStream& random) {
 
 FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned) {
   FlatWorld world;
-  const auto plain = [](float v) { return [v](double, double) { return Rgb{v, v, v}; }; };
   for (std::size_t i = 0; i < placement.shapes.size(); ++i) {
     FlatSurface& surface = world.surfaces.emplace_back();
     surface.disparity_px = placement.disparities_px[i];
@@ -97,14 +96,14 @@ FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned) {
     if (patterned != Patterned::kNothing)
       surface.colour = [pattern](double x, double y) { return pattern(x, y) * Rgb{1, 0.55f, 0.2f}; };
     else
-      surface.colour = plain(0.8f);
+      surface.colour = Rgb{0.8f, 0.8f, 0.8f};
   }
   FlatSurface& background = world.surfaces.emplace_back();
   background.disparity_px = placement.background_px;
   if (patterned == Patterned::kEverything)
     background.colour = flat_pattern(4, 11);
   else
-    background.colour = plain(0.2f);
+    background.colour = Rgb{0.2f, 0.2f, 0.2f};
   return world;
 }
 

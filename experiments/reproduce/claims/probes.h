@@ -3,6 +3,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "core/lightfield/light_field.h"
@@ -25,21 +26,28 @@ struct FlatBounds {
   double top = left, bottom = right;
 };
 
+/// Linear radiance at a point of a surface.
+using FlatColour = std::function<Rgb(double x, double y)>;
+
 /// A surface parallel to the image.
 struct FlatSurface {
   double disparity_px = 0;  ///< ≥ 0; 0 = infinitely far
   /// Whether the surface covers a point; empty = everywhere. Points are image coordinates of the view from
   /// FlatWorld::origin.
   std::function<bool(double x, double y)> covers;
-  /// Linear radiance at a point, ≥ 0. Features of 4 px or more are reproduced almost exactly by bilinear
-  /// interpolation.
-  std::function<Rgb(double x, double y)> colour;
+  /// Linear radiance ≥ 0: the same everywhere, or at each point. Features of 4 px or more are reproduced
+  /// almost exactly by bilinear interpolation.
+  std::variant<Rgb, FlatColour> colour;
   /// Outside of it the surface covers nothing, and `covers` is not asked: saves time. Unbounded by default.
   FlatBounds bounds = {};
 
   bool is_at(double x, double y) const {
     return x >= bounds.left && x <= bounds.right && y >= bounds.top && y <= bounds.bottom &&
            (!covers || covers(x, y));
+  }
+  Rgb colour_at(double x, double y) const {
+    const Rgb* plain = std::get_if<Rgb>(&colour);
+    return plain ? *plain : std::get<FlatColour>(colour)(x, y);
   }
 };
 
@@ -62,9 +70,9 @@ LightField flat_light_field(const FlatWorld& world, const ViewGrid& grid, const 
 /// 60°.
 ViewGrid probe_grid(int columns, int rows, double spacing_m, int width, int height);
 
-/// A coloured pattern without repetition, linear radiance in about [0.04, 1]: sum of noises whose smallest
-/// features are `feature_px` wide. For FlatSurface::colour.
-std::function<Rgb(double x, double y)> flat_pattern(double feature_px, std::uint32_t seed);
+/// A coloured pattern, linear radiance in [0.04, 1]: random colours `feature_px` apart, smooth in between,
+/// repeated after 64 of them. For FlatSurface::colour.
+FlatColour flat_pattern(double feature_px, std::uint32_t seed);
 
 /// A scene without surfaces: camera at the origin looking along +y, z up, uniform light of `sky_cd_m2` from
 /// all directions, also from below. `id` must not be that of a scene of the table.

@@ -1,9 +1,12 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
 
 #include "core/base/parallel.h"
+#include "core/base/random.h"
 #include "experiments/reproduce/claims/probes.h"
 #include "stimuli/block_preprocess.h"
-#include "stimuli/scenes/modelling/noise.h"
 
 namespace plenolab {
 
@@ -19,29 +22,74 @@ std::vector<const FlatSurface*> near_to_far(const FlatWorld& world) {
   return order;
 }
 
+/// Whether no point of the pixel lies within the bounds of the surface.
+bool is_beside(const FlatSurface& surface, CameraPosition shift, int x, int y) {
+  const double left = x + shift.s * surface.disparity_px, top = y + shift.t * surface.disparity_px;
+  return left > surface.bounds.right || left + 1 < surface.bounds.left || top > surface.bounds.bottom ||
+         top + 1 < surface.bounds.top;
+}
+
+/// The plain and endless surface that alone is seen in the pixel, if there is one: most pixels need no
+/// samples.
+const FlatSurface* only_surface(const std::vector<const FlatSurface*>& order, CameraPosition shift, int x,
+                                int y) {
+  for (const FlatSurface* surface : order) {
+    if (is_beside(*surface, shift, x, y)) continue;
+    const bool endless = !surface->covers && std::isinf(surface->bounds.left);
+    return endless && std::holds_alternative<Rgb>(surface->colour) ? surface : nullptr;
+  }
+  return nullptr;
+}
+
+/// One pixel of a view: 4 × 4 samples, reduced as those of rendered views.
+BlockPixel block_at(const std::vector<const FlatSurface*>& order, CameraPosition shift, int x, int y) {
+  if (const FlatSurface* only = only_surface(order, shift, x, y))
+    return {std::get<Rgb>(only->colour), static_cast<float>(only->disparity_px)};
+  std::array<Rgb, kBlockSamples> radiance{};
+  std::array<float, kBlockSamples> disparity{};
+  for (std::size_t i = 0; i < kBlockSamples; ++i) {
+    const double px = x + (i % kBlockSide + 0.5) / kBlockSide, py = y + (i / kBlockSide + 0.5) / kBlockSide;
+    for (const FlatSurface* surface : order) {
+      // q = p + (F_p − F_q)·disp(p): the point seen here as the origin's view sees it.
+      const double qx = px + shift.s * surface->disparity_px, qy = py + shift.t * surface->disparity_px;
+      if (!surface->is_at(qx, qy)) continue;
+      radiance[i] = surface->colour_at(qx, qy);
+      disparity[i] = static_cast<float>(surface->disparity_px);
+      break;
+    }
+  }
+  return preprocess_block(radiance, disparity, {});
+}
+
+constexpr int kPatternPeriod = 64;  ///< colours of a pattern along each axis
+
+/// The random colours of a pattern.
+std::vector<Rgb> pattern_colours(std::uint32_t seed) {
+  std::vector<Rgb> colours(kPatternPeriod * kPatternPeriod);
+  RandomStream random(seed, 0x7061747465726eu, 0);
+  for (Rgb& colour : colours)
+    for (float* channel : {&colour.r, &colour.g, &colour.b})
+      *channel = 0.04f + 0.96f * static_cast<float>(random.next_double());
+  return colours;
+}
+
 }  // namespace
 
 KeyView<SceneReferred> flat_view(const FlatWorld& world, const ViewGrid& grid, CameraPosition position,
                                  int threads) {
+  KeyView<SceneReferred> view{SceneImage(grid.width, grid.height), DisparityMap(grid.width, grid.height)};
+  const CameraPosition shift{position.s - world.origin.s,
+                             (position.t - world.origin.t) * grid.vertical_ratio()};
   const auto order = near_to_far(world);
-  SceneImage radiance(grid.width * kBlockSide, grid.height * kBlockSide);
-  DisparityMap disparity(radiance.width(), radiance.height());
-  const double ds = position.s - world.origin.s, dt = (position.t - world.origin.t) * grid.vertical_ratio();
-  parallel_for(radiance.height(), 16, threads, [&](int begin, int end) {
+  parallel_for(grid.height, 4, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
-      for (int x = 0; x < radiance.width(); ++x) {
-        const double px = (x + 0.5) / kBlockSide, py = (y + 0.5) / kBlockSide;
-        for (const FlatSurface* surface : order) {
-          // q = p + (F_p − F_q)·disp(p): the point seen here as the origin's view sees it.
-          const double qx = px + ds * surface->disparity_px, qy = py + dt * surface->disparity_px;
-          if (!surface->is_at(qx, qy)) continue;
-          radiance.at(x, y) = surface->colour(qx, qy);
-          disparity.at(x, y) = static_cast<float>(surface->disparity_px);
-          break;
-        }
+      for (int x = 0; x < grid.width; ++x) {
+        const BlockPixel pixel = block_at(order, shift, x, y);
+        view.colour.at(x, y) = pixel.radiance;
+        view.disparity.at(x, y) = pixel.disparity_px;
       }
   });
-  return preprocess_blocks(radiance, disparity);
+  return view;
 }
 
 LightField flat_light_field(const FlatWorld& world, const ViewGrid& grid, const std::string& name,
@@ -64,14 +112,24 @@ ViewGrid probe_grid(int columns, int rows, double spacing_m, int width, int heig
           .fov_h_deg = 60};
 }
 
-std::function<Rgb(double x, double y)> flat_pattern(double feature_px, std::uint32_t seed) {
-  return [=](double x, double y) {
-    // The second octave of the noise is twice as fine: its features are `feature_px` wide.
-    const auto tone = [&](std::uint32_t channel) {
-      const Vec3 p{static_cast<float>(x / (2 * feature_px)), static_cast<float>(y / (2 * feature_px)), 0.5f};
-      return 0.52f + 0.48f * std::clamp(fractal_noise(p, 2, seed * 3 + channel), -1.f, 1.f);
+FlatColour flat_pattern(double feature_px, std::uint32_t seed) {
+  return [feature_px, colours = std::make_shared<const std::vector<Rgb>>(pattern_colours(seed))](double x,
+                                                                                                 double y) {
+    const auto cell = [&](double v, float& between) {
+      const double whole = std::floor(v / feature_px);
+      const auto t = static_cast<float>(v / feature_px - whole);
+      between = t * t * (3 - 2 * t);
+      return static_cast<int>(whole) & (kPatternPeriod - 1);
     };
-    return Rgb{tone(0), tone(1), tone(2)};
+    float u = 0, v = 0;
+    const int i = cell(x, u), j = cell(y, v);
+    const auto at = [&](int column, int row) {
+      return (*colours)[static_cast<std::size_t>((row & (kPatternPeriod - 1)) * kPatternPeriod +
+                                                 (column & (kPatternPeriod - 1)))];
+    };
+    const Rgb upper = at(i, j) * (1 - u) + at(i + 1, j) * u;
+    const Rgb lower = at(i, j + 1) * (1 - u) + at(i + 1, j + 1) * u;
+    return upper * (1 - v) + lower * v;
   };
 }
 

@@ -16,7 +16,7 @@ namespace plenolab {
 namespace {
 
 FlatSurface plain_surface(double disparity_px, float value) {
-  return {disparity_px, {}, [value](double, double) { return Rgb{value, value, value}; }};
+  return {disparity_px, {}, Rgb{value, value, value}};
 }
 
 Mask rectangle_mask(int width, int height, int x, int y, int w, int h) {
@@ -209,16 +209,42 @@ TEST(GeometryOccluders, GeometryAloneSaysTheSameAsBesideSynthesis) {
 }
 
 TEST(GeometryOccluders, BoundsOfAnOccluderChangeNothing) {
-  for (const ShapeKind kind : concave_shapes()) {
-    RandomStream random(8, 9, static_cast<std::uint64_t>(kind));
-    const FlatWorld bounded = world_of(place_inside(kind, random), Patterned::kEverything);
-    FlatWorld unbounded = bounded;
-    for (FlatSurface& surface : unbounded.surfaces) surface.bounds = {};
-    const auto a = flat_view(bounded, occluder_grid(), {0, 1}),
-               b = flat_view(unbounded, occluder_grid(), {0, 1});
-    EXPECT_EQ(a.colour, b.colour) << name_of(kind);
-    EXPECT_EQ(a.disparity, b.disparity) << name_of(kind);
+  std::size_t hidden = 0;
+  for (const Placing placing : {place_inside, place_pair, place_at_border})
+    for (const ShapeKind kind : concave_shapes())
+      for (const Patterned patterned : {Patterned::kNothing, Patterned::kEverything}) {
+        RandomStream random(8, 9, static_cast<std::uint64_t>(kind));
+        const FlatWorld bounded = world_of(placing(kind, random), patterned);
+        FlatWorld unbounded = bounded;
+        for (FlatSurface& surface : unbounded.surfaces) surface.bounds = {};
+        const auto a = flat_view(bounded, occluder_grid(), {0, 1}),
+                   b = flat_view(unbounded, occluder_grid(), {0, 1});
+        EXPECT_EQ(a.colour, b.colour) << name_of(kind);
+        EXPECT_EQ(a.disparity, b.disparity) << name_of(kind);
+        for (const CameraPosition position : {CameraPosition{0.5, 0.5}, {0.1, 0.8}, {0.9, 0.3}}) {
+          const Mask all = hidden_from_all(unbounded, occluder_grid(), position);
+          EXPECT_EQ(hidden_from_all(bounded, occluder_grid(), position), all) << name_of(kind);
+          hidden += count_set(all);
+        }
+      }
+  EXPECT_GT(hidden, 100u) << "the comparison would say nothing without hidden pixels";
+}
+
+TEST(Probes, APatternIsSmoothAndRepeatsAfter64OfItsFeatures) {
+  const FlatColour pattern = flat_pattern(4, 7), other = flat_pattern(4, 8);
+  double difference = 0;
+  for (double x = -20; x < 20; x += 0.7) {
+    const Rgb here = pattern(x, 3.3);
+    for (const float v : {here.r, here.g, here.b}) {
+      EXPECT_GE(v, 0.04f);
+      EXPECT_LE(v, 1.f);
+    }
+    EXPECT_NEAR(here.g, pattern(x + 64 * 4, 3.3 - 64 * 4).g, 1e-5);
+    // A smooth step between two values 0.96 apart rises by at most 1.5 · 0.96 a feature.
+    EXPECT_NEAR(here.g, pattern(x + 0.01, 3.3).g, 1.5 * 0.96 * 0.01 / 4 + 1e-6);
+    difference += std::abs(static_cast<double>(here.g - other(x, 3.3).g));
   }
+  EXPECT_GT(difference, 1);
 }
 
 /// Two by one pixels: the left one restored to disparity 2, the right one needed no restoration.
