@@ -13,6 +13,7 @@
 #include "stimuli/scenes/modelling/masonry.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
 
@@ -241,25 +242,9 @@ Scene build_boats() {
                 .zenith_cd_m2 = {0.025f, 0.09f, 0.36f},
                 .horizon_cd_m2 = {0.52f, 0.78f, 1.6f},
                 .ground_cd_m2 = {0.05f, 0.06f, 0.08f}};
-  const float pitch = -3.5f * static_cast<float>(EIGEN_PI) / 180;
-  result.camera = {.centre_m = {0, 0, 2.1f},
-                   .forward = {0, std::cos(pitch), std::sin(pitch)},
-                   .up = {0, -std::sin(pitch), std::cos(pitch)},
-                   .fov_h_deg = 64};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.07,
-                  .spacing_y_m = 0.07,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 16};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.04,
-                  .spacing_y_m = 0.04,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({0, 0, 2.1f}, 64, -3.5f);
+  result.quick = quick_views(0.07, 0.07, 16);
+  result.paper = paper_views(0.04);
   result.max_bounces = 2;
   return result;
 }

@@ -8,6 +8,7 @@
 #include "stimuli/scenes/modelling/masonry.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/props.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 
 namespace plenolab {
@@ -281,21 +282,9 @@ Scene cellar_room() {
   result.sky.kind = Sky::Kind::kDaylight;
   result.sky.ground_cd_m2 = {900, 1000, 600};
   result.sky.turbidity = 3;
-  result.camera = {.centre_m = {0, 0, 1.45f}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .fov_h_deg = 80};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.1,
-                  .spacing_y_m = 0.08,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 16};
-  result.paper = {.columns = 17,
-                  .rows = 5,
-                  .spacing_x_m = 0.05,
-                  .spacing_y_m = 0.05,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({0, 0, 1.45f}, 80);
+  result.quick = quick_views(0.1, 0.08, 16);
+  result.paper = paper_views(0.05, 5);
   result.max_bounces = 2;
   result.caustics = false;
   return result;

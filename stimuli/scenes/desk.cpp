@@ -15,6 +15,7 @@
 #include "stimuli/scenes/modelling/masonry.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/stationery.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
@@ -22,7 +23,6 @@
 namespace plenolab {
 namespace {
 
-constexpr float kPi = static_cast<float>(EIGEN_PI);
 // x to the right, y away from the cameras at y = 0; the desk top is at z = 0.
 constexpr float kWall = 1.75f;
 const Vec3 kBulb{-0.32f, 0.98f, 0.34f};
@@ -186,25 +186,9 @@ Scene build_desk() {
                 .horizon_cd_m2 = {1.6f, 1.3f, 1.3f},
                 .ground_cd_m2 = {0.6f, 0.45f, 0.3f}};
   result.caustics = false;
-  const float pitch = -21 * kPi / 180;
-  result.camera = {.centre_m = {0, 0.06f, 0.45f},
-                   .forward = {0, std::cos(pitch), std::sin(pitch)},
-                   .up = {0, -std::sin(pitch), std::cos(pitch)},
-                   .fov_h_deg = 64};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.03,
-                  .spacing_y_m = 0.03,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 32};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.015,
-                  .spacing_y_m = 0.015,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({0, 0.06f, 0.45f}, 64, -21);
+  result.quick = quick_views(0.03, 0.03, 32);
+  result.paper = paper_views(0.015);
   result.max_bounces = 3;
   return result;
 }

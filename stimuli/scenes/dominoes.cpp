@@ -16,6 +16,7 @@
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
 #include "stimuli/scenes/modelling/props.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
 
@@ -281,25 +282,9 @@ Scene build_dominoes() {
   result.portals.push_back({{kRight + 0.15f, kFar - kWindow.x1, kWindow.z0},
                             {0, kWindow.x1 - kWindow.x0, 0},
                             {0, 0, kWindow.z1 - kWindow.z0}});
-  const float pitch = -9 * kPi / 180;
-  result.camera = {.centre_m = {0, 0, 1.28f},
-                   .forward = {0, std::cos(pitch), std::sin(pitch)},
-                   .up = {0, -std::sin(pitch), std::cos(pitch)},
-                   .fov_h_deg = 58};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.06,
-                  .spacing_y_m = 0.06,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 32};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.03,
-                  .spacing_y_m = 0.03,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({0, 0, 1.28f}, 58, -9);
+  result.quick = quick_views(0.06, 0.06, 32);
+  result.paper = paper_views(0.03);
   result.max_bounces = 3;
   return result;
 }

@@ -17,6 +17,7 @@
 #include "stimuli/scenes/modelling/desert.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
 
@@ -203,25 +204,9 @@ Scene build_dunes() {
   result.description =
       "The sun stands on the crest of a dune and is hidden by degrees along the camera grid: a gradual, real "
       "change of light to which tone mapping should adapt.";
-  const float pitch = 1.5f * kPi / 180;
-  result.camera = {.centre_m = {0, 0, kEye},
-                   .forward = {0, std::cos(pitch), std::sin(pitch)},
-                   .up = {0, -std::sin(pitch), std::cos(pitch)},
-                   .fov_h_deg = 62};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.24,
-                  .spacing_y_m = 0.24,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 32};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.12,
-                  .spacing_y_m = 0.12,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({0, 0, kEye}, 62, 1.5f);
+  result.quick = quick_views(0.24, 0.24, 32);
+  result.paper = paper_views(0.12);
   result.max_bounces = 2;
   return result;
 }

@@ -11,6 +11,7 @@
 #include "stimuli/scenes/modelling/assembler.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/modelling/vegetation.h"
 #include "stimuli/scenes/table.h"
@@ -194,25 +195,9 @@ Scene build_tree() {
                 .zenith_cd_m2 = {2600, 4300, 7600},
                 .horizon_cd_m2 = {7600, 8900, 10400},
                 .ground_cd_m2 = {900, 1200, 500}};
-  const float pitch = 8 * static_cast<float>(EIGEN_PI) / 180;
-  result.camera = {.centre_m = {0, 0, 1.75f},
-                   .forward = {0, std::cos(pitch), std::sin(pitch)},
-                   .up = {0, -std::sin(pitch), std::cos(pitch)},
-                   .fov_h_deg = 66};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.32,
-                  .spacing_y_m = 0.24,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 16};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.12,
-                  .spacing_y_m = 0.12,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 256};
+  result.camera = camera_along_y({0, 0, 1.75f}, 66, 8);
+  result.quick = quick_views(0.32, 0.24, 16);
+  result.paper = paper_views(0.12, 9, 256);
   result.max_bounces = 2;
   return result;
 }

@@ -13,6 +13,7 @@
 #include "stimuli/scenes/modelling/masonry.h"
 #include "stimuli/scenes/modelling/noise.h"
 #include "stimuli/scenes/modelling/parts.h"
+#include "stimuli/scenes/modelling/recording.h"
 #include "stimuli/scenes/modelling/textures.h"
 #include "stimuli/scenes/table.h"
 
@@ -284,21 +285,9 @@ Scene build_tunnel() {
                 .horizon_cd_m2 = {4300, 4300, 4200},
                 .ground_cd_m2 = {120, 130, 80}};
   result.portals.push_back({{-kHalfWidth, kEnd, 0}, {2 * kHalfWidth, 0, 0}, {0, 0, kSpring + kHalfWidth}});
-  result.camera = {.centre_m = {-0.35f, 0, 1.55f}, .forward = {0, 1, 0}, .up = {0, 0, 1}, .fov_h_deg = 68};
-  result.quick = {.columns = 5,
-                  .rows = 3,
-                  .spacing_x_m = 0.16,
-                  .spacing_y_m = 0.14,
-                  .width = 384,
-                  .height = 216,
-                  .paths_per_pixel = 16};
-  result.paper = {.columns = 17,
-                  .rows = 9,
-                  .spacing_x_m = 0.1,
-                  .spacing_y_m = 0.1,
-                  .width = 960,
-                  .height = 540,
-                  .paths_per_pixel = 512};
+  result.camera = camera_along_y({-0.35f, 0, 1.55f}, 68);
+  result.quick = quick_views(0.16, 0.14, 16);
+  result.paper = paper_views(0.1);
   result.max_bounces = 2;
   result.caustics = false;
   return result;
