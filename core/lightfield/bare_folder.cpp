@@ -52,8 +52,12 @@ NumberedName parse_name(const std::string& name) {
 std::vector<fs::path> exr_files(const fs::path& folder) {
   std::error_code error;
   std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.is_regular_file() && lower_extension(entry.path()) == ".exr") files.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    // Hidden files are no views: file managers and interrupted copies leave some beside them.
+    const bool hidden = entry.path().filename().native().front() == '.';
+    if (!hidden && entry.is_regular_file() && lower_extension(entry.path()) == ".exr")
+      files.push_back(entry.path());
+  }
   if (error) throw InputError(fmt::format("cannot read the folder {}: {}", folder.string(), error.message()));
   if (files.empty()) throw InputError(fmt::format("{} holds no .exr files", folder.string()));
   std::sort(files.begin(), files.end());

@@ -1,6 +1,7 @@
 #include "analysis/plot.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
 
 #include <algorithm>
 #include <cmath>
@@ -166,6 +167,16 @@ TEST(Subprocess, ReturnsExitCodeAndOutput) {
   EXPECT_EQ(result.exit_code, 3);
   EXPECT_EQ(result.output, "/\na; b\n");
   EXPECT_EQ(run_process({"sh", "-c", "kill -9 $$"}, "/").exit_code, 137);
+}
+
+TEST(Subprocess, AChildCanBeStoppedThoughItsParentBlocksTheSignal) {
+  sigset_t stop, before;
+  sigemptyset(&stop);
+  sigaddset(&stop, SIGTERM);
+  ASSERT_EQ(pthread_sigmask(SIG_BLOCK, &stop, &before), 0);
+  const int exit_code = run_process({"sh", "-c", "kill -TERM $$; exit 0"}, "/").exit_code;
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  EXPECT_EQ(exit_code, 128 + SIGTERM);
 }
 
 }  // namespace

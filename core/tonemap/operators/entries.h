@@ -32,4 +32,26 @@ Adapted<ImageStatistics> follow_statistics(const FrameInput& frame,
 /// The setting of the exponent of the colour ratio.
 Setting colour_exponent_setting(double default_value);
 
+/// Variants of operators whose parameters follow from statistics of luminance and nothing else.
+std::vector<OperatorVariant> statistics_variants();
+
+/// Their OperatorInfo::fit and map_frame. `options_of` makes options from SettingValues; `report` lists
+/// parameters as FittedValues; fit(options, statistics) and apply(parameters, image, threads) are the
+/// operator's own.
+template <auto options_of, auto report>
+FittedOperator fit_to_statistics(std::string_view, const SettingValues& values, const FitScope& scope) {
+  const auto p = fit(options_of(values), scope.statistics);
+  return {
+      [p](const OperatorView& view, int threads) { return apply(p, *view.colour, threads); }, report(p), {}};
+}
+
+template <auto options_of, auto report>
+MappedFrame map_by_statistics(std::string_view, const SettingValues& values, const FrameInput& frame,
+                              const std::optional<FrameState>& previous) {
+  FrameState state;
+  state.statistics = follow_statistics(frame, previous);
+  const auto p = fit(options_of(values), state.statistics.value);
+  return {apply(p, *frame.view, frame.threads), state, report(p)};
+}
+
 }  // namespace plenolab

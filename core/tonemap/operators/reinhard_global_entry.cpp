@@ -40,20 +40,6 @@ std::vector<FittedValue> report(const ReinhardGlobalParameters& p) {
   return {{"key", p.key, ""}, {"log_average", p.log_average, "log10 units"}};
 }
 
-FittedOperator fit_entry(std::string_view, const SettingValues& values, const FitScope& scope) {
-  const ReinhardGlobalParameters p = fit(options_of(values), scope.statistics);
-  return {
-      [p](const OperatorView& view, int threads) { return apply(p, *view.colour, threads); }, report(p), {}};
-}
-
-MappedFrame map_entry(std::string_view, const SettingValues& values, const FrameInput& frame,
-                      const std::optional<FrameState>& previous) {
-  FrameState state;
-  state.statistics = follow_statistics(frame, previous);
-  const ReinhardGlobalParameters p = fit(options_of(values), state.statistics.value);
-  return {apply(p, *frame.view, frame.threads), state, report(p)};
-}
-
 }  // namespace
 
 OperatorInfo reinhard_global_entry() {
@@ -63,12 +49,9 @@ OperatorInfo reinhard_global_entry() {
           .source = "Reinhard et al. 2002, equations 1-4; Reinhard 2003",
           .input_unit = "any",
           .settings = settings(),
-          .variants = {{"naive", OperatorScope::kView, false, "statistics of each view"},
-                       {"joint", OperatorScope::kLightField, false, "statistics of all views"},
-                       {"interpolate-statistics", OperatorScope::kFrame, false,
-                        "frames, with statistics of key views blended and adapted in time"}},
-          .fit = fit_entry,
-          .map_frame = map_entry};
+          .variants = statistics_variants(),
+          .fit = fit_to_statistics<options_of, report>,
+          .map_frame = map_by_statistics<options_of, report>};
 }
 
 }  // namespace plenolab

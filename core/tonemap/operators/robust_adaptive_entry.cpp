@@ -34,20 +34,6 @@ std::vector<FittedValue> report(const RobustAdaptiveParameters& p) {
           {"luma_p1", p.luma_low, "luma"},       {"luma_p99", p.luma_high, "luma"}};
 }
 
-FittedOperator fit_entry(std::string_view, const SettingValues& values, const FitScope& scope) {
-  const RobustAdaptiveParameters p = fit(options_of(values), scope.statistics);
-  return {
-      [p](const OperatorView& view, int threads) { return apply(p, *view.colour, threads); }, report(p), {}};
-}
-
-MappedFrame map_entry(std::string_view, const SettingValues& values, const FrameInput& frame,
-                      const std::optional<FrameState>& previous) {
-  FrameState state;
-  state.statistics = follow_statistics(frame, previous);
-  const RobustAdaptiveParameters p = fit(options_of(values), state.statistics.value);
-  return {apply(p, *frame.view, frame.threads), state, report(p)};
-}
-
 }  // namespace
 
 OperatorInfo robust_adaptive_entry() {
@@ -57,12 +43,9 @@ OperatorInfo robust_adaptive_entry() {
           .source = "this program, after Reinhard & Devlin 2005",
           .input_unit = "any",
           .settings = settings(),
-          .variants = {{"naive", OperatorScope::kView, false, "statistics of each view"},
-                       {"joint", OperatorScope::kLightField, false, "statistics of all views"},
-                       {"interpolate-statistics", OperatorScope::kFrame, false,
-                        "frames, with statistics of key views blended and adapted in time"}},
-          .fit = fit_entry,
-          .map_frame = map_entry};
+          .variants = statistics_variants(),
+          .fit = fit_to_statistics<options_of, report>,
+          .map_frame = map_by_statistics<options_of, report>};
 }
 
 }  // namespace plenolab

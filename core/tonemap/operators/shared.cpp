@@ -35,6 +35,13 @@ Adapted<ImageStatistics> follow_statistics(const FrameInput& frame,
                frame.step_s);
 }
 
+std::vector<OperatorVariant> statistics_variants() {
+  return {{"naive", OperatorScope::kView, false, "statistics of each view"},
+          {"joint", OperatorScope::kLightField, false, "statistics of all views"},
+          {"interpolate-statistics", OperatorScope::kFrame, false,
+           "frames, with statistics of key views blended and adapted in time"}};
+}
+
 Setting colour_exponent_setting(double default_value) {
   return {"alpha", default_value, 0, 1, "", "exponent of the colour ratio: 1 saturated, 0 grey"};
 }

@@ -219,6 +219,7 @@ TEST(BareFolder, RowsAndColumnsAreFoundInTheNames) {
   for (const char* pattern : {"s7_r{row}_c{column:03}.exr", "{row:02}-{column}.EXR"}) {
     const TemporaryFolder folder;
     write_depth_folder(folder.path(), grid, depth, pattern);
+    write_text_file(folder.path() / "._r0_c0.exr", "what a file manager leaves beside a view");
     const LightField lf = import_bare_folder(folder.path(), options);
     EXPECT_EQ(lf.grid(), grid);
     EXPECT_FLOAT_EQ(lf.view(2, 1)->disparity.at(0, 0), static_cast<float>(grid.disparity_px(4)));
