@@ -11,9 +11,8 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory) {
   const AppearanceStudy study =
       study_appearance(result, laboratory,
                        {.scene = "tunnel",
-                        .seen = "Seen: what the wall reflects, where each key view saw it.",
-                        .offsets = offsets_on_rows(),
-                        .coherent = true});
+                        .seen = "Seen: what the wet surface reflects, where each key view saw it.",
+                        .offsets = offsets_on_rows()});
   const ErrorNumbers &inside = study.pictures.box[0], &whole = study.pictures.whole[0];
   result.paper_shows =
       "Figure 35 shows the wet walls of the Tunnel: reflections move across the surface when the camera "

@@ -50,9 +50,9 @@ ReproductionResult reproduce_water(Laboratory& laboratory) {
       overview_text(study.overview));
   result.differs =
       inside.visible_share < kFewVisible
-          ? "They agree: even the part with the largest error is close to the truth."
-          : "They differ in degree: the part with the largest error differs visibly beside the truth. The "
-            "thesis shows a part of its choice and judges by eye.";
+          ? "They agree: even where the key views disagree most the synthesis is close to the truth."
+          : "They differ in degree: where the key views disagree most the synthesis differs visibly from the "
+            "truth. The thesis shows a part of its choice and judges by eye.";
   return result;
 }
 

@@ -14,7 +14,6 @@ namespace plenolab {
 namespace {
 
 constexpr int kSparserStride = 2;
-constexpr int kSmoothingRadius = 4;  // of errors by which the enlarged part is chosen
 
 /// The view from the same place, from every other key view only; nothing if the position is not between them.
 std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& field, CameraPosition position,
@@ -26,15 +25,6 @@ std::optional<NovelView<SceneReferred>> from_sparser_grid(const LightField& fiel
   SynthesisOptions options;
   options.threads = threads;
   return synthesize(sparser, there, options);
-}
-
-/// Error of the pixels whose surface every key view sees: it comes from appearance, not from geometry.
-Plane<float> appearance_error(const NovelView<SceneReferred>& view, const SceneImage& truth, bool coherent) {
-  const auto difference = coherent ? coherent_squared_difference : smoothed_squared_difference;
-  Plane<float> error = difference(view.image, truth, figure_exposure(truth), kSmoothingRadius);
-  for (std::size_t n = 0; n < error.size(); ++n)
-    if (view.visible_views.pixels()[n] < view.views.size()) error.pixels()[n] = 0;
-  return error;
 }
 
 double mean_inside(const Plane<float>& values, const PixelBox& box) {
@@ -71,14 +61,6 @@ BorderErrors border_errors(const Place& place, const SceneImage& truth) {
   return {.beside = rms(1), .elsewhere = rms(0)};
 }
 
-/// Moves the box of the place to the part worth enlarging; returns the row for the epipolar image.
-int choose_part(Place& place, const SceneImage& truth, const AppearanceOptions& options) {
-  if (options.at_borders) return densest_row(place.effect, place.box);
-  const Plane<float> error = appearance_error(place.view, truth, options.coherent);
-  place.box = densest_box(error, place.box.width);
-  return densest_row(error, place.box);
-}
-
 /// How position and enlarged part are chosen, exactly.
 std::string choice_text(const Place& place, const AppearanceOptions& options) {
   const bool on_row = place.view.position.t == std::round(place.view.position.t);
@@ -86,24 +68,11 @@ std::string choice_text(const Place& place, const AppearanceOptions& options) {
       options.at_borders ? "ceasing of key views at borders of visibility changes the blend most (squared "
                            "change of luma at pixels beside borders on one surface)"
                          : "key views disagree most (weighted variance of luma, smoothed over 5 × 5 px)";
-  const int smoothed = 2 * kSmoothingRadius + 1;
-  const std::string part =
-      options.at_borders ? "that square itself"
-      : options.coherent
-          ? fmt::format(
-                "the square with the largest sum, over pixels that all key views see, of the squared "
-                "mean error of {0} × {0} px less the variance of errors in them (luma): of errors that "
-                "neighbouring pixels share, not of glitter",
-                smoothed)
-          : fmt::format(
-                "the square with the largest sum, over pixels that all key views see, of squared "
-                "errors (luma, smoothed over {0} × {0} px)",
-                smoothed);
   return fmt::format(
       "The position is, of {} {}, the one where {} within a square of {} px, found without the truth. "
-      "Enlarged is {}.",
+      "Enlarged is that square itself.",
       place.searched, on_row ? "midway between two key views of a row" : "at the centres of cells", effect,
-      place.box.width, part);
+      place.box.width);
 }
 
 void add_views(ReproductionResult& result, AppearanceStudy& study, const LightField& field,
@@ -146,7 +115,7 @@ AppearanceStudy study_appearance(ReproductionResult& result, Laboratory& laborat
   const NovelView<SceneReferred>& view = study.place.view;
   const auto rendered = laboratory.truth(options.scene, view.position, kTruthPathFactor);
   const SceneImage& truth = rendered.colour;
-  const int row = choose_part(study.place, truth, options);
+  const int row = densest_row(study.place.effect, study.place.box);
   study.choice = choice_text(study.place, options);
   const PixelBox& box = study.place.box;
   study.rms_disagreement = std::sqrt(mean_inside(study.place.effect, box));

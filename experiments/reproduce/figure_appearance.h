@@ -11,17 +11,14 @@
 
 namespace plenolab {
 
-/// What figures 34 to 37 share: one position shown true and synthesised, enlarged where the error of
-/// pixels that every key view sees is largest (at borders: where the effect shows most), with visibility,
-/// difference and, if wanted, epipolar images through the enlarged part.
+/// What figures 34 to 37 share: one position shown true and synthesised, enlarged where the effect shows most
+/// (found without the truth), with visibility, difference and, if wanted, epipolar images through the
+/// enlarged part.
 struct AppearanceOptions {
   std::string scene;
   std::string seen;                         ///< what is to be seen, a sentence for the captions; may be empty
   std::span<const CameraPosition> offsets;  ///< positions searched, in each cell
   bool at_borders = false;  ///< look for jumps at visibility borders, otherwise for disagreement of key views
-  /// Enlarge where neighbouring pixels share an error, not where it differs from pixel to pixel: for scenes
-  /// that glitter.
-  bool coherent = false;
   bool with_epi = true;
   bool with_sparser_grid =
       false;  ///< also synthesise from every other key view, where the position allows it

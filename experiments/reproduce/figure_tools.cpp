@@ -149,21 +149,6 @@ Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImag
   return smooth;
 }
 
-Plane<float> coherent_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
-                                         int radius) {
-  const Plane<float> difference = luma_difference(test, reference, exposure);
-  Plane<float> squares = difference;
-  for (float& v : squares.pixels()) v *= v;
-  Plane<float> result = box_mean(difference, radius);
-  const Plane<float> mean_square = box_mean(squares, radius);
-  for (std::size_t n = 0; n < result.size(); ++n) {
-    const float squared_mean = result.pixels()[n] * result.pixels()[n];
-    const float variance = std::max(0.0f, mean_square.pixels()[n] - squared_mean);
-    result.pixels()[n] = std::max(0.0f, squared_mean - variance);
-  }
-  return result;
-}
-
 std::size_t count_set(const Mask& mask) {
   return mask.size() -
          static_cast<std::size_t>(std::count(mask.pixels().begin(), mask.pixels().end(), std::uint8_t{0}));

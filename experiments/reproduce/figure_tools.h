@@ -60,12 +60,6 @@ Plane<float> box_mean(const Plane<float>& values, int radius);
 Plane<float> smoothed_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
                                          int radius = 2);
 
-/// Squared mean difference of encoded luminance over (2·radius + 1)² px less the variance of the differences
-/// in this window, at least 0: what the pixels of the window have in common. Noise and glitter, which differ
-/// from pixel to pixel, score nothing however strong they are.
-Plane<float> coherent_squared_difference(const SceneImage& test, const SceneImage& reference, float exposure,
-                                         int radius);
-
 /// Number of pixels that are not 0.
 std::size_t count_set(const Mask& mask);
 

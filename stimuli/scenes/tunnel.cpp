@@ -77,23 +77,27 @@ Rgb lining_albedo(const SurfacePoint& point) {
 float lining_roughness(const SurfacePoint& point) {
   const float wet = smooth_step(0.85f, 0.5f, streaks(point.position_m));
   const float joint = smooth_step(0.009f, 0.004f, brick_at(point.u, point.v).edge);
-  return 0.02f + 0.25f * (1 - wet) + 0.3f * joint;
+  return 0.006f + 0.25f * (1 - wet) + 0.3f * joint;
 }
 
 /// Water film over brick: each brick tilts a little and the film waves.
 Vec3 lining_normal(const SurfacePoint& point) {
   const Vec3& p = point.position_m;
   const Brick brick = brick_at(point.u, point.v);
-  const float tilt = 0.004f;
+  const float tilt = 0.002f;
   const Vec3 wave(gradient_noise(p * 5, 1), gradient_noise(p * 5, 2), gradient_noise(p * 5, 3));
   const Vec3 own(brick.tone - 0.5f, std::fmod(brick.tone * 7.3f, 1.f) - 0.5f,
                  std::fmod(brick.tone * 3.7f, 1.f) - 0.5f);
-  return (point.normal + 0.004f * wave + tilt * own).normalized();
+  return (point.normal + 0.002f * wave + tilt * own).normalized();
 }
 
-/// Depth of water on the floor in [0, 1]: puddles where the ground is low.
+/// Depth of water on the floor in [0, 1]: puddles where the ground is low, above all in two wheel ruts, which
+/// reflect the lamps of both walls.
 float puddle(const Vec3& p) {
-  const float low = fractal_noise({p.x() * 0.55f + 3.1f, p.y() * 0.3f, 0}, 4, 91) - 0.12f * std::abs(p.x());
+  const float beside_rut = (std::abs(p.x() + 0.2f) - 0.7f) / 0.35f;
+  const float rut = 0.3f * std::exp(-beside_rut * beside_rut);
+  const float low =
+      fractal_noise({p.x() * 0.55f + 3.1f, p.y() * 0.3f, 0}, 4, 91) - 0.12f * std::abs(p.x()) + rut;
   return smooth_step(-0.1f, 0.02f, low);
 }
 
@@ -106,7 +110,7 @@ Rgb floor_albedo(const SurfacePoint& point) {
 }
 
 float floor_roughness(const SurfacePoint& point) {
-  return 0.025f + 0.33f * (1 - puddle(point.position_m));
+  return 0.006f + 0.35f * (1 - puddle(point.position_m));
 }
 
 Vec3 floor_normal(const SurfacePoint& point) {
@@ -114,7 +118,7 @@ Vec3 floor_normal(const SurfacePoint& point) {
   const float dry = 1 - puddle(p);
   const Vec3 ripple(gradient_noise(p * 7, 11), gradient_noise(p * 7, 12), 0);
   const Vec3 grit(gradient_noise(p * 60, 13), gradient_noise(p * 60, 14), 0);
-  return (point.normal + 0.0025f * ripple + 0.10f * dry * grit).normalized();
+  return (point.normal + 0.0008f * ripple + 0.10f * dry * grit).normalized();
 }
 
 Materials make_materials(SceneAssembler& scene) {
