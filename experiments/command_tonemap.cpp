@@ -17,6 +17,7 @@
 #include "experiments/cli/result_folder.h"
 #include "experiments/tonemap_fit.h"
 #include "experiments/tonemap_layers.h"
+#include "metrics/consistency.h"
 
 namespace plenolab {
 

@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 
-#include "analysis/timing.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/image/colour.h"
@@ -19,8 +18,8 @@
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/synthesis_options.h"
+#include "experiments/mapped_frames.h"
 #include "experiments/score.h"
-#include "experiments/tonemap_video.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -42,6 +41,7 @@ struct VideoOptions {
   double fps = 30;
   AdaptationOptions adaptation;
   bool adjustment_given = false;
+  bool consistency = false;
   std::vector<const CLI::Option*> for_operators;  ///< options that mean nothing without --operator
   const CLI::Option* adaptation_time = nullptr;
 };
@@ -103,75 +103,6 @@ ResultTable make_video(const AnyLightField& any, const std::vector<CameraPositio
   return table;
 }
 
-Columns frame_columns(const MappedVideoFrame& frame, const std::string& file, double fps) {
-  return {{"frame", static_cast<long long>(frame.index)},
-          {"file", file},
-          {"s", frame.position.s},
-          {"t", frame.position.t},
-          {"time_s", static_cast<double>(frame.index) / fps}};
-}
-
-/// Everything about one frame, for frames.csv.
-void add_frame_rows(ResultTable& table, const MappedVideoFrame& frame, const Columns& columns) {
-  table.add({"mean_luma", mean_luma(frame.image), "luma", columns});
-  add_fit_rows(table, frame.fit.values, frame.fit.notes, columns);
-  add_count_rows(table, frame.counts, columns);
-  table.add({"unseen_pixels", static_cast<double>(frame.unseen_pixels), "px", columns});
-  table.add({"seconds_synthesis", frame.seconds_synthesis, "s", columns});
-  table.add({"seconds_postprocess", frame.seconds_postprocess, "s", columns});
-}
-
-/// What the three stages took, and what is the same for all frames.
-class StageTimes {
- public:
-  void add(const MappedVideoFrame& frame) {
-    prepare_s_ += frame.seconds_prepare;
-    synthesis_s_.push_back(frame.seconds_synthesis);
-    postprocess_s_.push_back(frame.seconds_postprocess);
-  }
-
-  ResultTable rows(const VideoPreprocessing& preprocessing, const ViewGrid& grid,
-                   const Columns& columns) const {
-    ResultTable table;
-    add_fit_rows(table, preprocessing.fit.values, preprocessing.fit.notes, columns);
-    if (preprocessing.key_views) table.append(rows_of(*preprocessing.key_views, grid, columns));
-    const double synthesis = summarise_times(synthesis_s_).median_s;
-    const double postprocess = summarise_times(postprocess_s_).median_s;
-    table.add({"seconds_preprocess", preprocessing.seconds + prepare_s_, "s", columns});
-    table.add({"seconds_synthesis_median", synthesis, "s", columns});
-    table.add({"seconds_postprocess_median", postprocess, "s", columns});
-    table.add({"frames_per_second", 1 / (synthesis + postprocess), "1/s", columns});
-    return table;
-  }
-
- private:
-  double prepare_s_ = 0;  ///< of key views for synthesis, once each where the memory bound allows
-  std::vector<double> synthesis_s_, postprocess_s_;
-};
-
-/// Writes frames and frames.csv below `folder`; returns what is to be shown.
-ResultTable make_mapped_frames(const LightField& field, const std::vector<CameraPosition>& positions,
-                               const MappedVideoOptions& mapping, const fs::path& folder) {
-  ResultTable frames;
-  StageTimes times;
-  ProgressBar bar("synthesising and mapping");
-  const fs::path scratch = folder / "key-views";
-  fs::create_directory(scratch);
-  const auto receive = [&](const MappedVideoFrame& frame) {
-    const std::string file = fmt::format("frame_{:04}.png", frame.index);
-    write_display_image(folder / file, frame.image);
-    add_frame_rows(frames, frame, frame_columns(frame, file, mapping.frames_per_second));
-    times.add(frame);
-    bar.update(static_cast<double>(frame.index + 1) / static_cast<double>(positions.size()));
-  };
-  const VideoPreprocessing preprocessing = make_mapped_video(field, positions, mapping, scratch, receive);
-  fs::remove_all(scratch);
-  write_text_file(folder / "frames.csv", to_csv(frames));
-  const OperatorChoice& choice = mapping.mapping.choice;
-  return times.rows(preprocessing, field.grid(),
-                    {{"operator", choice.info->id}, {"variant", choice.variant_name()}});
-}
-
 MappingPlace place_of(const VideoOptions& options, const OperatorChoice& choice) {
   if (options.map.empty()) return default_place(choice);
   return options.map == "frames" ? MappingPlace::kFrames : MappingPlace::kKeyViews;
@@ -211,7 +142,7 @@ void run_mapped_video(const Invocation& invocation, const VideoOptions& options,
                                        options.path, choice.info->id, choice.variant_name());
   ResultTable table;
   write_result_folder({options.out, "video", item, options.force}, provenance, [&](const fs::path& folder) {
-    table = make_mapped_frames(field, positions, mapping, folder);
+    table = write_mapped_frames(field, positions, mapping, options.consistency, folder);
   });
   tell(options.common, fmt::format("wrote {} frames and frames.csv to {}", positions.size(), options.out));
   emit_results(table, provenance, options.common);
@@ -243,6 +174,30 @@ void run_video(const Invocation& invocation, VideoOptions& options) {
     emit_results(table, provenance, options.common);
 }
 
+/// Options of tone mapped frames.
+void add_mapping_options(CLI::App& app, VideoOptions& options) {
+  add_operator_options(app, options.chosen);
+  app.add_option("--map", options.map,
+                 "What the operator maps: key views before synthesis, or frames after it (default: frames by "
+                 "variants for frames, else key views)")
+      ->check(one_of({"key-views", "frames"}));
+  app.add_option("--fps", options.fps, "Frames per second: how far the eye adapts from frame to frame")
+      ->check(number_between(0.001, 100000))
+      ->capture_default_str();
+  options.adaptation_time =
+      app.add_option("--adaptation-time", options.adaptation.time_constant_s,
+                     "Time constant of adaptation in seconds, of variants for frames; 0 = at once")
+          ->check(number_between(0, 1e6))
+          ->capture_default_str();
+  add_adjustment_options(app, options.adjustment);
+  app.add_flag(
+      "--consistency", options.consistency,
+      "Also measure what tone mapping adds to the changes along epipolar lines, at visibility borders "
+      "and of mean luma; synthesises every HDR frame once more");
+  for (const char* name : {"--variant", "--set", "--map", "--fps", "--adaptation-time", "--consistency"})
+    options.for_operators.push_back(app.get_option(name));
+}
+
 }  // namespace
 
 void add_video_command(CLI::App& app, const Invocation& invocation) {
@@ -260,22 +215,7 @@ void add_video_command(CLI::App& app, const Invocation& invocation) {
                  "display-referred light fields)")
       ->check(one_of({"exr", "png"}));
   app.add_option("--exposure", options->exposure, "Exposure of .png frames")->check(positive_number());
-  add_operator_options(app, options->chosen);
-  app.add_option("--map", options->map,
-                 "What the operator maps: key views before synthesis, or frames after it (default: frames by "
-                 "variants for frames, else key views)")
-      ->check(one_of({"key-views", "frames"}));
-  app.add_option("--fps", options->fps, "Frames per second: how far the eye adapts from frame to frame")
-      ->check(number_between(0.001, 100000))
-      ->capture_default_str();
-  options->adaptation_time =
-      app.add_option("--adaptation-time", options->adaptation.time_constant_s,
-                     "Time constant of adaptation in seconds, of variants for frames; 0 = at once")
-          ->check(number_between(0, 1e6))
-          ->capture_default_str();
-  add_adjustment_options(app, options->adjustment);
-  for (const char* name : {"--variant", "--set", "--map", "--fps", "--adaptation-time"})
-    options->for_operators.push_back(app.get_option(name));
+  add_mapping_options(app, *options);
   add_memory_option(app, options->memory_mib);
   add_synthesis_options(app, options->synthesis);
   add_force_option(app, options->force);

@@ -1,4 +1,5 @@
 #include "experiments/tonemap_field.h"
+#include "metrics/consistency.h"
 
 #include <fmt/format.h>
 

@@ -57,11 +57,4 @@ void add_count_rows(ResultTable& table, const MappingCounts& counts, const Colum
   add("clipped_low", counts.clipped_low, "values");
 }
 
-double mean_luma(const DisplayImage& image) {
-  PLENOLAB_CHECK(!image.empty(), "no pixels");
-  double sum = 0;
-  for (const Rgb& c : image.pixels()) sum += luminance(c);
-  return sum / static_cast<double>(image.size());
-}
-
 }  // namespace plenolab

@@ -28,7 +28,4 @@ void add_fit_rows(ResultTable& table, const std::vector<FittedValue>& values,
 /// floored_pixels.
 void add_count_rows(ResultTable& table, const MappingCounts& counts, const Columns& columns);
 
-/// Mean of the luminance-weighted sum of the encoded channels, in [0, 1].
-double mean_luma(const DisplayImage& image);
-
 }  // namespace plenolab

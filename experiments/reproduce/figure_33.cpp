@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/image/colour.h"
+#include "core/synthesis/provenance_maps.h"
 #include "experiments/reproduce/figure_pictures.h"
 #include "experiments/reproduce/figure_places.h"
 
@@ -40,13 +41,6 @@ std::vector<ThinPixel> thin_pixels(const DisparityMap& disparity, float limit_px
       if (near - *least_far > limit_px) thin.push_back({x, y, near, *far});
     }
   return thin;
-}
-
-/// Mean disparity of what the novel view shows at a pixel.
-float shown_disparity(const PixelProvenance& provenance) {
-  float sum = 0;
-  for (const Correspondence& c : provenance) sum += c.weight * c.disparity_px;
-  return sum;
 }
 
 /// Whether the view shows the structure (rather than what lies behind it) at its pixel.

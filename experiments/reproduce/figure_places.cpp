@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/image/colour.h"
 #include "core/synthesis/prepared_view.h"
+#include "core/synthesis/provenance_maps.h"
 
 namespace plenolab {
 
@@ -26,15 +27,6 @@ Rgb sample(const PreparedView& prepared, const Correspondence& c) {
   const Rgb upper = colour(i, j) * (1 - fx) + colour(right, j) * fx;
   const Rgb lower = colour(i, below) * (1 - fx) + colour(right, below) * fx;
   return upper * (1 - fy) + lower * fy;
-}
-
-/// The contributing views of each pixel as bits.
-Plane<std::uint8_t> contributors(const std::vector<WarpedView>& warped, int width, int height) {
-  Plane<std::uint8_t> sets(width, height);
-  for (std::size_t v = 0; v < warped.size(); ++v)
-    for (std::size_t n = 0; n < sets.size(); ++n)
-      if (warped[v].weight.pixels()[n] > 0) sets.pixels()[n] |= static_cast<std::uint8_t>(1u << v);
-  return sets;
 }
 
 /// Deviation of each view's luma, clipped as it is shown, from the weighted mean of the contributing views.
@@ -86,14 +78,14 @@ Contributions contributions_to(const NovelView<SceneReferred>& view, const Light
   const int width = view.image.width(), height = view.image.height();
   Contributions all;
   all.warped = warp_key_views(view, field);
-  all.sets = contributors(all.warped, width, height);
+  all.sets = contributing_views(view.provenance);
   all.deviations = deviations(all.warped, gamma_encode(figure_exposure(view.image)), width, height);
   for (Plane<float>& one : all.deviations) one = mean_within_set(one, all.sets);
   return all;
 }
 
 /// Disparity of the nearest surface that a contributing view shows at a pixel, −1 for none.
-float shown_disparity(const PixelProvenance& provenance) {
+float nearest_shown_disparity(const PixelProvenance& provenance) {
   float disparity = -1;
   for (const Correspondence& c : provenance)
     if (c.state == CorrespondenceState::kUsed) disparity = std::max(disparity, c.disparity_px);
@@ -217,8 +209,8 @@ EffectMeasure jump_at_visibility_borders(const LightField& field) {
     const int width = view.image.width(), height = view.image.height();
     Plane<float> effect(width, height);
     const auto compare = [&](int x, int y, int dx, int dy) {
-      const float here = shown_disparity(view.provenance.at(x, y));
-      const float beside = shown_disparity(view.provenance.at(x + dx, y + dy));
+      const float here = nearest_shown_disparity(view.provenance.at(x, y));
+      const float beside = nearest_shown_disparity(view.provenance.at(x + dx, y + dy));
       if (here < 0 || beside < 0 || std::abs(here - beside) >= 1) return;
       const auto n =
           static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);

@@ -175,6 +175,8 @@ TEST(TonemapCommand, WrongUseNamesTheOptionAndWhatThereIs) {
                 "interpolate-statistics+adjusted"},
                "maps frames");
   expect_wrong({"video", "dir", "--path", "0,0:1,0", "-o", "x", "--fps", "30"}, "--fps is for --operator");
+  expect_wrong({"video", "dir", "--path", "0,0:1,0", "-o", "x", "--consistency"},
+               "--consistency is for --operator");
   expect_wrong({"video", "dir", "--path", "0,0:1,0", "-o", "x", "--operator", "bilateral", "--variant",
                 "enhanced", "--map", "frames"},
                "needs disparity");
@@ -323,6 +325,21 @@ TEST(MappedVideo, FramesAtKeyViewsAreTheMappedKeyViewsWhereverTheOperatorStands)
     const DisplayImage frame = read_display_image(out / "frame_0002.png");
     for (std::size_t i = 0; i < frame.size(); ++i)
       ASSERT_NEAR(frame.pixels()[i].g, expected.pixels()[i].g, 0.5 / 255 + 1e-6) << place;
+  }
+}
+
+TEST(MappedVideo, ConsistencyIsMeasuredWhereverTheOperatorStands) {
+  const TemporaryFolder folder;
+  const fs::path field = written_plane(folder.path() / "field");
+  for (const char* place : {"key-views", "frames"}) {
+    const fs::path out = folder.path() / place;
+    const auto rows =
+        rows_of({"video", field, "--path", "0,1:2,1", "--frames", "5", "--operator", "reinhard05",
+                 "--variant", "joint", "--map", place, "--consistency", "-o", out});
+    EXPECT_GT(value_of(rows, "line_pixels"), 1000) << place;
+    EXPECT_LT(value_of(rows, "line_change_max"), 0.01) << place;
+    EXPECT_GE(value_of(rows, "mean_luma_step_max"), 0) << place;
+    EXPECT_EQ(frame_values(out, "line_change_rms").size(), 4u) << place;
   }
 }
 
