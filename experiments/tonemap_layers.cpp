@@ -48,8 +48,9 @@ ResultTable write_layers(const BilateralLayers& layers, const DisplayImage& resu
   const Plane<float> detail = layers.detail();
   const bool enhanced = !layers.foreground.empty();
   const Plane<float> temporary = enhanced ? difference(layers.base, layers.foreground) : Plane<float>();
-  BaseRange range = measure_base(layers);
-  for (const float v : temporary.pixels()) range = merge(range, {v, v});
+  BaseRange range = measure_base(layers).extremes;
+  for (const float v : temporary.pixels())
+    range = {std::min(range.min, static_cast<double>(v)), std::max(range.max, static_cast<double>(v))};
   const std::vector<float> magnitudes = sorted_magnitudes(detail, layers.foreground);
   const double scale = quantile_of_sorted(std::span<const float>(magnitudes), kShownShare);
   const auto cut = magnitudes.end() - std::upper_bound(magnitudes.begin(), magnitudes.end(), scale);

@@ -20,6 +20,7 @@ namespace {
 
 constexpr int kRowGrain = 16;
 constexpr float kInverseGamma = 1 / 2.2f;
+constexpr int kBins = 1024;  // of a histogram of bases, for one log10 unit
 /// Range of the bases on the display where nothing else is asked for (Durand & Dorsey 2002: a contrast of 5).
 const double kTargetRange = std::log10(5.0);
 
@@ -119,6 +120,7 @@ void BilateralToneOptions::validate() const {
   if (foreground_scale)
     check(*foreground_scale >= 0 && *foreground_scale <= 4, "the foreground scale must lie in [0, 4]",
           *foreground_scale);
+  check(outliers >= 0 && outliers <= 0.2, "the share of outliers must lie in [0, 0.2]", outliers);
   check(colour_exponent >= 0 && colour_exponent <= 1, "the colour exponent must lie in [0, 1]",
         colour_exponent);
 }
@@ -138,15 +140,43 @@ BilateralLayers bilateral_layers(const BilateralToneOptions& options, const Scen
   return layers_of(options, repaired.image(), disparity, floor, threads);
 }
 
-BaseRange measure_base(const BilateralLayers& layers) {
+BaseHistogram measure_base(const BilateralLayers& layers) {
   if (layers.base.empty())
     throw InputError("an image without pixels has no base layer; give one of at least 1 × 1");
   const auto [low, high] = std::minmax_element(layers.base.pixels().begin(), layers.base.pixels().end());
-  return {static_cast<double>(*low), static_cast<double>(*high)};
+  const auto bin_of = [](float v) { return static_cast<std::int32_t>(std::floor(v * kBins)); };
+  std::vector<std::int64_t> counts(static_cast<std::size_t>(bin_of(*high) - bin_of(*low)) + 1);
+  for (const float v : layers.base.pixels()) ++counts[static_cast<std::size_t>(bin_of(v) - bin_of(*low))];
+  BaseHistogram bases{{}, {static_cast<double>(*low), static_cast<double>(*high)}};
+  for (std::size_t i = 0; i < counts.size(); ++i)
+    if (counts[i] > 0) bases.bins[bin_of(*low) + static_cast<std::int32_t>(i)] = counts[i];
+  return bases;
 }
 
-BaseRange merge(const BaseRange& a, const BaseRange& b) {
-  return {std::min(a.min, b.min), std::max(a.max, b.max)};
+BaseHistogram merge(BaseHistogram a, const BaseHistogram& b) {
+  for (const auto& [bin, count] : b.bins) a.bins[bin] += count;
+  a.extremes = {std::min(a.extremes.min, b.extremes.min), std::max(a.extremes.max, b.extremes.max)};
+  return a;
+}
+
+BaseRange range_of(const BaseHistogram& bases, double outliers) {
+  if (outliers <= 0) return bases.extremes;
+  std::int64_t all = 0;
+  for (const auto& [bin, count] : bases.bins) all += count;
+  const double left_out = outliers * static_cast<double>(all);
+  // Middle of the first bin, counted from one end, beyond what is left out.
+  const auto end_of = [&](auto begin, auto end) {
+    double seen = 0;
+    for (auto bin = begin; bin != end; ++bin) {
+      seen += static_cast<double>(bin->second);
+      if (seen > left_out) return (bin->first + 0.5) / kBins;
+    }
+    return 0.0;
+  };
+  const double low = end_of(bases.bins.begin(), bases.bins.end());
+  const double high = end_of(bases.bins.rbegin(), bases.bins.rend());
+  const auto inside = [&](double v) { return std::clamp(v, bases.extremes.min, bases.extremes.max); };
+  return {inside(low), inside(high)};
 }
 
 BilateralToneParameters fit(const BilateralToneOptions& options, const BaseRange& bases, double floor) {

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -11,8 +14,8 @@ namespace plenolab {
 
 /// Bilateral operator (Durand & Dorsey 2002; thesis, sections 2.1.2, 5.1.2 and 5.1.3).
 ///
-/// Input: scene-referred, any unit (automatic settings make the result independent of it). Output: display
-/// values in [0, 1]. With I = log10 L and base = bilateral(I; σ_s, σ_l):
+/// Input: scene-referred, any unit (automatic settings make the result independent of it, to 0.001 log10
+/// units). Output: display values in [0, 1]. With I = log10 L and base = bilateral(I; σ_s, σ_l):
 ///   naive      log10 L_target = base·compression + (I − base) − brightness
 ///   enhanced   log10 L_target = base_m·compression + foreground·scale + (I − base_m) − brightness,
 /// luma = L_target^(1/2.2), then apply_colour_ratio. base_m takes nothing across depth edges; foreground =
@@ -25,10 +28,14 @@ struct BilateralToneOptions {
   double sigma_s_share = 0.02;             ///< σ_s as a share of the larger image side, (0, 1]
   double sigma_log10 = 0.4;                ///< σ_l, log10 units, (0, 100]
   double sigma_d_px = 0.5;                 ///< σ_d, pixels of disparity, (0, 1e6]
-  std::optional<double> compression;       ///< (0, 1]; absent: min(1, log10 5 / range of all bases)
-  std::optional<double> brightness;        ///< log10 units; absent: compression · largest base
+  std::optional<double> compression;       ///< (0, 1]; absent: min(1, log10 5 / range of all bases without
+                                           ///< outliers)
+  std::optional<double> brightness;        ///< log10 units; absent: compression · upper end of that range
   std::optional<double> foreground_scale;  ///< [0, 4]; absent: 1 − compression, with which the foreground
                                            ///< equals the naive operator and the background keeps no profile
+  /// Share of all base values left out at each end of the range that automatic compression and brightness
+  /// rest on, [0, 0.2]. With 0, the extremes, a single nearly black pixel washes out a photograph.
+  double outliers = 0.01;
   double colour_exponent = kColourExponent;  ///< [0, 1]
   void validate() const;
 };
@@ -47,13 +54,23 @@ struct BilateralLayers {
 BilateralLayers bilateral_layers(const BilateralToneOptions& options, const SceneImage& view,
                                  const DisparityMap* disparity, double floor, int threads = 0);
 
-/// Smallest and largest value of bases.
+/// A range of base values, log10 units.
 struct BaseRange {
   double min = 0, max = 0;
   friend bool operator==(const BaseRange&, const BaseRange&) = default;
 };
-BaseRange measure_base(const BilateralLayers& layers);
-BaseRange merge(const BaseRange& a, const BaseRange& b);
+
+/// How often base values occur, in bins of 2^-10 log10 units; those of several views can be merged.
+struct BaseHistogram {
+  std::map<std::int32_t, std::int64_t> bins;  ///< count by floor(1024·value)
+  BaseRange extremes{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+};
+/// Throws InputError for layers without pixels.
+BaseHistogram measure_base(const BilateralLayers& layers);
+BaseHistogram merge(BaseHistogram a, const BaseHistogram& b);
+/// The range without a share `outliers` in [0, 0.2] of the values at each end, to 0.001 log10 units; exactly
+/// the extremes for 0.
+BaseRange range_of(const BaseHistogram& bases, double outliers);
 
 struct BilateralToneParameters {
   BilateralToneOptions options;  ///< of the layers
@@ -61,8 +78,8 @@ struct BilateralToneParameters {
   double compression = 1, brightness = 0, foreground_scale = 0;
 };
 
-/// Parameters for a whole light field: `bases` is the range over all of its views, so that all views are
-/// mapped alike.
+/// Parameters for a whole light field: `bases` is the range over all of its views (range_of with
+/// BilateralToneOptions::outliers), so that all views are mapped alike.
 BilateralToneParameters fit(const BilateralToneOptions& options, const BaseRange& bases, double floor);
 
 /// log10 L_target of layers.

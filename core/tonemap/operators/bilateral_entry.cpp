@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "core/tonemap/bilateral.h"
 #include "core/tonemap/operators/entries.h"
 
@@ -16,20 +18,22 @@ const std::vector<Setting>& settings() {
        .minimum = 1e-3,
        .maximum = 1,
        .help = "factor on the log base layer",
-       .automatic = "min(1, log10 5 / range of all bases)"},
+       .automatic = "min(1, log10 5 / range of all bases without outliers)"},
       {.name = "brightness",
        .default_value = 0,
        .minimum = -100,
        .maximum = 100,
        .unit = "log10 units",
        .help = "subtracted from the log result",
-       .automatic = "compression times the largest base"},
+       .automatic = "compression times the upper end of the range of bases without outliers"},
       {.name = "foreground",
        .default_value = 0.5,
        .minimum = 0,
        .maximum = 4,
        .help = "factor on the log foreground layer (enhanced)",
        .automatic = "1 - compression"},
+      {"outliers", d.outliers, 0, 0.2, "",
+       "share of bases left out at each end of their range; 0 = extremes"},
       colour_exponent_setting(d.colour_exponent),
       {.name = "filter",
        .default_value = 0,
@@ -41,22 +45,22 @@ const std::vector<Setting>& settings() {
   return table;
 }
 
-BaseRange base_of_scope(const BilateralToneOptions& options, const FitScope& scope) {
+BaseRange base_range(const BilateralToneOptions& options, const FitScope& scope) {
   const auto measure = [&](int i) {
     const OperatorView view = scope.load(i);
     return measure_base(
         bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads));
   };
-  BaseRange all = measure(0);
-  for (int i = 1; i < scope.views; ++i) all = merge(all, measure(i));
-  return all;
+  BaseHistogram all = measure(0);
+  for (int i = 1; i < scope.views; ++i) all = merge(std::move(all), measure(i));
+  return range_of(all, options.outliers);
 }
 
 FittedOperator fit_entry(std::string_view variant, const SettingValues& values, const FitScope& scope) {
   const BilateralToneOptions options = bilateral_options(variant, values);
   // Bases are only looked at where something depends on them.
   const bool automatic = !options.compression || !options.brightness;
-  const BaseRange bases = automatic ? base_of_scope(options, scope) : BaseRange{};
+  const BaseRange bases = automatic ? base_range(options, scope) : BaseRange{};
   const BilateralToneParameters p = fit(options, bases, scope.floor);
   return {[p](const OperatorView& view, int threads) {
             return apply(p, *view.colour, view.disparity.get(), threads);
@@ -79,6 +83,7 @@ BilateralToneOptions bilateral_options(std::string_view variant, const SettingVa
   o.compression = number_unless_automatic(settings(), values, "compression");
   o.brightness = number_unless_automatic(settings(), values, "brightness");
   o.foreground_scale = number_unless_automatic(settings(), values, "foreground");
+  o.outliers = number(settings(), values, "outliers");
   o.colour_exponent = number(settings(), values, "alpha");
   return o;
 }

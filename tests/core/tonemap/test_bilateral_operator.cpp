@@ -33,7 +33,7 @@ BilateralToneOptions exact(bool enhanced) {
 Plane<float> target(BilateralToneOptions options) {
   const DisparityMap disparity = step_disparity();
   const BilateralLayers layers = bilateral_layers(options, step_scene(), &disparity, 1.0);
-  return target_log_luminance(fit(options, measure_base(layers), 1.0), layers);
+  return target_log_luminance(fit(options, range_of(measure_base(layers), 0), 1.0), layers);
 }
 
 double edge_contrast(const Plane<float>& log) {
@@ -77,7 +77,7 @@ TEST(BilateralOperator, EnhancedEqualsNaiveBitByBitWithoutDepthEdges) {
     const BilateralLayers enhanced = bilateral_layers(o, image, &flat, 1e-3);
     EXPECT_TRUE(enhanced.foreground.empty());
     EXPECT_EQ(naive.base, enhanced.base);
-    const BilateralToneParameters p = fit(o, measure_base(naive), 1e-3);
+    const BilateralToneParameters p = fit(o, range_of(measure_base(naive), o.outliers), 1e-3);
     EXPECT_EQ(
         apply(p, image, &flat).image,
         apply(BilateralToneParameters{{.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale},
@@ -121,10 +121,42 @@ TEST(BilateralOperator, DoesNotDependOnTheUnitWithAutomaticSettings) {
   for (Rgb& c : brighter.pixels()) c = 4096.0f * c;
   const auto map = [](const SceneImage& view, double floor) {
     const BilateralToneOptions o{.exact = true};
-    return apply(fit(o, measure_base(bilateral_layers(o, view, nullptr, floor)), floor), view, nullptr).image;
+    const BaseHistogram bases = measure_base(bilateral_layers(o, view, nullptr, floor));
+    return apply(fit(o, range_of(bases, o.outliers), floor), view, nullptr).image;
   };
   const DisplayImage a = map(image, 1e-3), b = map(brighter, 4.096);
-  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a.pixels()[i].g, b.pixels()[i].g, 1e-5f);
+  // A bin of the histogram of bases is 0.001 log10 units wide, and display values are at most 1.
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a.pixels()[i].g, b.pixels()[i].g, 0.003f);
+}
+
+BilateralLayers layers_with_base(const std::vector<float>& base) {
+  BilateralLayers layers;
+  layers.base = Plane<float>(static_cast<int>(base.size()), 1);
+  std::copy(base.begin(), base.end(), layers.base.pixels().begin());
+  return layers;
+}
+
+TEST(BilateralOperator, AFewOutliersDoNotMoveTheRangeOfBasesAndExtremesCanBeAskedFor) {
+  std::vector<float> values;
+  for (int i = 0; i < 1000; ++i) values.push_back(static_cast<float>(i) * 0.002f);
+  const BaseRange clean = range_of(measure_base(layers_with_base(values)), 0.01);
+  EXPECT_NEAR(clean.min, 0.02, 0.002);
+  EXPECT_NEAR(clean.max, 1.978, 0.002);
+  values[0] = -40;
+  values[999] = 38;
+  const BaseHistogram bases = measure_base(layers_with_base(values));
+  EXPECT_EQ(range_of(bases, 0.01), clean);
+  EXPECT_EQ(range_of(bases, 0), (BaseRange{-40, 38}));
+}
+
+TEST(BilateralOperator, TheRangeOfMergedBasesIsThatOfAllValuesTogether) {
+  const BaseHistogram one = measure_base(layers_with_base({0, 0.5f, 1})),
+                      two = measure_base(layers_with_base({1, 1, 4}));
+  const BaseHistogram all = measure_base(layers_with_base({0, 0.5f, 1, 1, 1, 4}));
+  for (const double outliers : {0.0, 0.1, 0.17, 0.2})
+    EXPECT_EQ(range_of(merge(one, two), outliers), range_of(all, outliers)) << outliers;
+  const BaseHistogram constant = measure_base(layers_with_base({0.3f}));
+  EXPECT_EQ(range_of(constant, 0.01).min, range_of(constant, 0.01).max);
 }
 
 TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
@@ -138,6 +170,8 @@ TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
   EXPECT_THROW((BilateralToneOptions{.sigma_s_share = 0}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.sigma_log10 = -1}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.compression = 1.5}.validate()), InputError);
+  for (const double outliers : {-0.1, 0.3, std::nan("")})
+    EXPECT_THROW((BilateralToneOptions{.outliers = outliers}.validate()), InputError) << outliers;
   EXPECT_THROW((BilateralToneOptions{.foreground_scale = -1}.validate()), InputError);
 }
 
