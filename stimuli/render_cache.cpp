@@ -86,11 +86,11 @@ std::string render_cache_key(const Scene& scene, const ViewGrid& grid, CameraPos
 }
 
 CachedView render_view_cached(const PreparedScene& scene, const ViewGrid& grid, CameraPosition position,
-                              const RenderSettings& settings, const fs::path& folder,
+                              const RenderSettings& settings, const fs::path& cache_folder,
                               const Progress& progress) {
-  if (folder.empty()) return {render_view(scene, grid, position, settings, progress), false};
+  if (cache_folder.empty()) return {render_view(scene, grid, position, settings, progress), false};
   const fs::path path =
-      entry_path(folder, scene.scene(), render_cache_key(scene.scene(), grid, position, settings));
+      entry_path(cache_folder, scene.scene(), render_cache_key(scene.scene(), grid, position, settings));
   if (auto view = load_entry(path, grid)) return {{std::move(*view), {}}, true};
   CachedView result{render_view(scene, grid, position, settings, progress), false};
   ExrWriteOptions options;

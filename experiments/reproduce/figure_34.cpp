@@ -25,8 +25,8 @@ ReproductionResult reproduce_light_shafts(Laboratory& laboratory) {
       study.pictures.whole[0].psnr_db, study.error_concentration, fading_text(*study.epi),
       overview_text(study.overview));
   result.differs = fades(*study.epi)
-                       ? "They agree: where every key view sees the wall, the error is larger between key "
-                         "views than at them, as copies of the shafts make it. "
+                       ? "They agree: in this part the error is larger between key views than at them, as "
+                         "copies of the shafts make it. "
                        : "They differ: the error changes little between key views and the positions between "
                          "them, so that copies fading in and out are not what dominates it in this run. ";
   result.differs += elsewhere_text(study);

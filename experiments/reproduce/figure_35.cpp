@@ -26,8 +26,9 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory) {
       overview_text(study.overview));
   result.differs =
       fades(*study.epi)
-          ? "They agree in kind: where every key view sees the surface, the error is larger between key "
-            "views than at them, as copies of reflections make it. The numbers above say how much larger. "
+          ? "They agree in kind: in this part the error is larger between key views than at them, as copies "
+            "of "
+            "reflections make it. The numbers above say how much larger. "
           : "They differ: the error changes little between key views and the positions between them, so that "
             "copies of reflections are not what dominates it in this run. ";
   result.differs += elsewhere_text(study);

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
-#include "core/image/colour.h"
 #include "core/lightfield/subsample.h"
 #include "core/synthesis/visibility_map.h"
 
@@ -98,9 +96,8 @@ void add_views(ReproductionResult& result, AppearanceStudy& study, const LightFi
 std::string elsewhere_text(const AppearanceStudy& study) {
   if (!study.overview.fading) return "";
   return fmt::format(
-      "In the image's middle row, which was not chosen by its error, the error between key views is more "
-      "than "
-      "{:g} times that at them at {} of the places.",
+      "In the image's middle row the error between key views is more than {:g} times that at them at {} of "
+      "the places.",
       kFadingRatio, study.overview.fading->median > kFadingRatio ? "at least half" : "fewer than half");
 }
 

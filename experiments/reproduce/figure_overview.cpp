@@ -58,7 +58,7 @@ Overview overview_of(const NovelView<SceneReferred>& view, const SceneImage& tru
 std::string overview_text(const Overview& overview) {
   if (!overview.rms) return "";
   std::string text = fmt::format(
-      "Not chosen by its error: the {} squares of this size that tile the view and are seen by all key views "
+      "For comparison: the {} squares of this size that tile the view and are seen by all key views "
       "to at least a half have an encoded RMS error of {}, the enlarged part {:.3f}.",
       overview.rms->count, text_of(*overview.rms, "{:.3f} (median; {:.3f} to {:.3f})"), overview.rms_of_box);
   if (overview.fading)

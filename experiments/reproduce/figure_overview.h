@@ -11,7 +11,7 @@
 namespace plenolab {
 
 /// What a figure's enlarged part is compared with, so that it is not taken for the view: the same numbers at
-/// all places that could have been enlarged, none of them chosen by its error.
+/// all places that could have been enlarged.
 
 /// Median and range of a number over places.
 struct Spread {
@@ -36,7 +36,7 @@ struct Overview {
 Overview overview_of(const NovelView<SceneReferred>& view, const SceneImage& truth, const PixelBox& box,
                      const EpiPair* epi);
 
-/// "Of 18 squares of this size that tile the view …"; empty without eligible squares.
+/// "For comparison: the 18 squares of this size that tile the view …"; empty without eligible squares.
 std::string overview_text(const Overview& overview);
 
 /// Rows overview_rms and overview_fading with columns statistic (enlarged, median, low, high) behind those

@@ -114,6 +114,7 @@ PruningOutcome prune_rendering(Laboratory& laboratory, const std::string& id) {
   settings.paths_per_pixel = kBlockSamples;
   settings.seed = laboratory.options().seed;
   settings.threads = laboratory.options().threads;
+  scene.state();  // prepared now, so that no rendering is charged for it
   PruningOutcome outcome{.part = "rendering", .stimulus = id, .stages = {}};
   const auto [pruned, full] = time_by_turns(outcome, [&](bool prune) {
     settings.prune = prune;

@@ -71,6 +71,7 @@ BENCHMARK(bare_embree)->Arg(0)->Arg(1)->ArgName("incoherent")->Unit(benchmark::k
 
 void render_rays(benchmark::State& state, const Scene& scene, const ViewGrid& grid) {
   const PreparedScene prepared(scene);
+  prepared.state();
   RenderSettings settings;
   settings.paths_per_pixel = 16;
   settings.threads = 1;

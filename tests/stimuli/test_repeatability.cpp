@@ -61,6 +61,7 @@ TEST(Repeatability, APreparedSceneLeavesTheProcessItsThreads) {
   };
   const std::size_t before = limit();
   const PreparedScene prepared(full_scene());
+  prepared.state();
   EXPECT_EQ(limit(), before);
 }
 

@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/synthesis/synthesizer.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
@@ -79,9 +80,12 @@ UnseenCauses causes_of(const Mask& unseen, const FlatWorld& world, const ViewGri
 
 /// The surface that covers everything and so is seen wherever no other one is.
 const FlatSurface& background_of(const FlatWorld& world) {
-  return *std::min_element(
+  const auto farthest = std::min_element(
       world.surfaces.begin(), world.surfaces.end(),
       [](const FlatSurface& a, const FlatSurface& b) { return a.disparity_px < b.disparity_px; });
+  PLENOLAB_CHECK(farthest != world.surfaces.end() && farthest->is_endless(),
+                 "a world of occluders needs an endless background");
+  return *farthest;
 }
 
 /// Marks the pixels of a row of the view in which something else than background seen by the first corner

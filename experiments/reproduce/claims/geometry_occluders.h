@@ -51,7 +51,7 @@ FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned);
 std::vector<CameraPosition> positions_in_cell(std::uint64_t seed);
 
 /// 1 where the surface that a pixel's centre shows is hidden from, or outside the image of, all four corner
-/// views: geometry alone, without sampling or search.
+/// views: geometry alone, without sampling or search. The farthest surface must be endless.
 Mask hidden_from_all(const FlatWorld& world, const ViewGrid& grid, CameraPosition position);
 
 /// Why pixels beyond the rim are unseen in synthesis; numbers of pixels.

@@ -92,11 +92,12 @@ FlatWorld world_of(const OccluderPlacement& placement, Patterned patterned) {
     surface.covers = silhouette(shape);
     surface.bounds = {shape.x - shape.radius_px, shape.x + shape.radius_px, shape.y - shape.radius_px,
                       shape.y + shape.radius_px};
-    const auto pattern = flat_pattern(5, static_cast<std::uint32_t>(i + 1));
-    if (patterned != Patterned::kNothing)
-      surface.colour = [pattern](double x, double y) { return pattern(x, y) * Rgb{1, 0.55f, 0.2f}; };
-    else
+    if (patterned == Patterned::kNothing)
       surface.colour = Rgb{0.8f, 0.8f, 0.8f};
+    else
+      surface.colour = [pattern = flat_pattern(5, static_cast<std::uint32_t>(i + 1))](double x, double y) {
+        return pattern(x, y) * Rgb{1, 0.55f, 0.2f};
+      };
   }
   FlatSurface& background = world.surfaces.emplace_back();
   background.disparity_px = placement.background_px;

@@ -41,6 +41,12 @@ struct FlatSurface {
   /// Outside of it the surface covers nothing, and `covers` is not asked: saves time. Unbounded by default.
   FlatBounds bounds = {};
 
+  /// Whether it covers every point.
+  bool is_endless() const {
+    const FlatBounds none;
+    return !covers && bounds.left == none.left && bounds.right == none.right && bounds.top == none.top &&
+           bounds.bottom == none.bottom;
+  }
   bool is_at(double x, double y) const {
     return x >= bounds.left && x <= bounds.right && y >= bounds.top && y <= bounds.bottom &&
            (!covers || covers(x, y));
@@ -57,7 +63,7 @@ struct FlatWorld {
   std::vector<FlatSurface> surfaces;
 };
 
-/// The view from anywhere on the camera plane: 4 × 4 samples a pixel, then preprocess_blocks as for rendered
+/// The view from anywhere on the camera plane: 4 × 4 samples a pixel, then preprocess_block as for rendered
 /// views. `threads`: 0 = all cores, no influence on the result.
 KeyView<SceneReferred> flat_view(const FlatWorld& world, const ViewGrid& grid, CameraPosition position,
                                  int threads = 0);

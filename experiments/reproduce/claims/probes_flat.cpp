@@ -35,8 +35,7 @@ const FlatSurface* only_surface(const std::vector<const FlatSurface*>& order, Ca
                                 int y) {
   for (const FlatSurface* surface : order) {
     if (is_beside(*surface, shift, x, y)) continue;
-    const bool endless = !surface->covers && std::isinf(surface->bounds.left);
-    return endless && std::holds_alternative<Rgb>(surface->colour) ? surface : nullptr;
+    return surface->is_endless() && std::holds_alternative<Rgb>(surface->colour) ? surface : nullptr;
   }
   return nullptr;
 }
