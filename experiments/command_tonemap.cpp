@@ -108,6 +108,7 @@ void run_map(const Invocation& invocation, const TonemapOptions& options) {
   const OperatorView view = read_view(options);
   require_disparity(choice, view, options.image);
   add_input(provenance, options.image);
+  require_keeps_inputs(provenance, options.out);
   provenance.parameters["operator"] = choice.info->id;
   provenance.parameters["variant"] = choice.variant.id;
   provenance.parameters["settings"] = settings_text(choice);

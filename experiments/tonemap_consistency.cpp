@@ -73,7 +73,7 @@ ResultTable ConsistencyMeter::summary(const Columns& columns) const {
   if (line_pixels_ > 0) {
     table.add(
         {"line_change_rms", std::sqrt(squared_change_ / static_cast<double>(line_pixels_)), "luma", columns});
-    table.add({"line_change_max", largest_change_, "luma", columns});
+    table.add({"frame_change_max", largest_change_, "luma", columns});
     table.add({"line_pixels", static_cast<double>(line_pixels_), "px", columns});
   }
   if (const std::optional<double> excess = borders_.excess())
@@ -81,10 +81,10 @@ ResultTable ConsistencyMeter::summary(const Columns& columns) const {
   table.add({"border_pairs", static_cast<double>(borders_.border_pairs), "px", columns});
   if (track_.mean_luma.empty()) return table;
   const auto [darkest, brightest] = std::minmax_element(track_.mean_luma.begin(), track_.mean_luma.end());
-  table.add({"mean_luma_min", *darkest, "luma", columns});
-  table.add({"mean_luma_max", *brightest, "luma", columns});
-  table.add({"mean_luma_step_max", track_.largest_luma_step(), "luma", columns});
-  table.add({"mean_log_luminance_step_max", track_.largest_log_step(), "log10", columns});
+  table.add({"motion_luma_min", *darkest, "luma", columns});
+  table.add({"motion_luma_max", *brightest, "luma", columns});
+  table.add({"motion_luma_step_max", track_.largest_luma_step(), "luma", columns});
+  table.add({"motion_log_luminance_step_max", track_.largest_log_step(), "log10", columns});
   if (const std::optional<double> agreement = track_.agreement())
     table.add({"adaptation_agreement", *agreement, "1", columns});
   return table;

@@ -39,13 +39,13 @@ class ConsistencyMeter {
 
   /// Over all frames so far (quantity, unit, meaning):
   ///   line_change_rms      luma  change along epipolar lines where the light does not change
-  ///   line_change_max      luma  largest mean change of a whole frame, of those of which at least a
+  ///   frame_change_max      luma  largest mean change of a whole frame, of those of which at least a
   ///                              twentieth took part: flicker
   ///   line_pixels          px    that both rest on
   ///   border_excess        1     borders of visibility in the mapped frames over those in the HDR frames
   ///   border_pairs         px    pairs across borders
-  ///   mean_luma_min, mean_luma_max, mean_luma_step_max     luma
-  ///   mean_log_luminance_step_max                          log10
+  ///   motion_luma_min, motion_luma_max, motion_luma_step_max     luma
+  ///   motion_log_luminance_step_max                          log10
   ///   adaptation_agreement 1     rank correlation of mean luma and mean log luminance
   /// Numbers that the motion does not give are left out.
   ResultTable summary(const Columns& columns) const;

@@ -21,6 +21,12 @@ namespace {
 constexpr std::uint64_t kMaxPngBytes = std::uint64_t{1} << 30;
 constexpr std::int64_t kMaxPngPixels = std::int64_t{1} << 28;
 
+/// For a file to be read: one that is missing is told first.
+void require_exists(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) throw InputError(fmt::format("{} does not exist", path.string()));
+}
+
 [[noreturn]] void unsupported(const fs::path& path, const char* kind, const char* supported) {
   throw InputError(fmt::format("{} has the extension \"{}\"; {} images are {}", path.string(),
                                path.extension().string(), kind, supported));
@@ -104,10 +110,12 @@ SceneImage read_scene_image(const fs::path& path) {
   if (extension == ".exr") return read_exr_image(path);
   if (extension == ".hdr" || extension == ".pic") return read_radiance_hdr(path);
   if (extension == ".pfm") return read_pfm_image(path);
+  require_exists(path);
   unsupported(path, "scene-referred", kSceneFormats);
 }
 
 DisplayImage read_display_image(const fs::path& path) {
+  require_exists(path);
   if (lower_extension(path) != ".png") unsupported(path, "display-referred", kDisplayFormats);
   const cv::Mat codes = decode_png(read_bytes(path, kMaxPngBytes), path.string());
   DisplayImage image(codes.cols, codes.rows);

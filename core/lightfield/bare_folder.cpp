@@ -110,9 +110,9 @@ ViewFiles from_one_number(const fs::path& folder, const std::map<std::pair<int, 
   const int count = static_cast<int>(files.size());
   if (columns < 1 || count % columns != 0)
     throw InputError(
-        fmt::format("the {} files of {} are numbered in one sequence: say how many columns they have (a "
-                    "divisor of {}), not {}",
-                    count, folder.string(), count, columns));
+        fmt::format("the {} files of {} are numbered in one sequence: say how many columns they have, a "
+                    "divisor of {}{}",
+                    count, folder.string(), count, columns == 0 ? "" : fmt::format(", not {}", columns)));
   ViewFiles result{columns, count / columns, {}};
   for (const auto& [position, path] : files) result.paths.push_back(path);
   return result;

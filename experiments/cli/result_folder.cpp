@@ -87,8 +87,19 @@ void add_force_option(CLI::App& app, bool& force) {
                "Replace the output folder also if it holds another result of plenolab (never other files)");
 }
 
+void require_keeps_inputs(const Provenance& provenance, const fs::path& out) {
+  std::error_code error;
+  if (!fs::exists(out, error)) return;
+  for (const InputFile& input : provenance.inputs)
+    for (fs::path path = item_path(input.path); path.has_relative_path(); path = path.parent_path())
+      if (fs::equivalent(path, out, error))
+        throw UsageError(
+            fmt::format("-o {} would replace the input {}: choose another name", out.string(), input.path));
+}
+
 void write_result_folder(const ResultFolder& folder, Provenance& provenance,
                          const std::function<void(const fs::path&)>& write) {
+  require_keeps_inputs(provenance, folder.path);
   write_folder_atomically(
       folder.path,
       [&](const fs::path& temporary) {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
+#include "core/io/exr.h"
 #include "experiments/cli/result_folder.h"
 #include "tests/experiments/plane_field.h"
 
@@ -72,6 +73,31 @@ TEST(ResultFolder, FilesOfOthersAreNeverTouched) {
   }
   write_text_file(folder.path() / "file", "mine");
   expect_refused({folder.path() / "file", "render", "cellar", true}, "is not a folder");
+}
+
+TEST(ResultFolder, AnInputIsNeverReplacedEvenByForce) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path() / "field";
+  write_result({path, "render", "cellar"}, "view.txt", "view");
+  Provenance provenance = start_provenance({"plenolab", "video"});
+  for (const fs::path& input : {fs::path(path), fs::path(path) / "view.txt"}) {
+    provenance.inputs = {{input.string(), ""}};
+    EXPECT_THROW(
+        write_result_folder({path, "video", "field", true}, provenance, [](const fs::path&) { FAIL(); }),
+        UsageError);
+  }
+  EXPECT_EQ(read_text_file(fs::path(path) / "view.txt"), "view");
+  EXPECT_NO_THROW(require_keeps_inputs(provenance, folder.path() / "other"));
+}
+
+TEST(ResultFolder, ATonemappedImageDoesNotReplaceItsInput) {
+  const TemporaryFolder folder;
+  const std::string image = folder.path() / "image.exr";
+  write_exr(image, SceneImage(8, 6, Rgb{1, 2, 3}), {}, {});
+  const std::string before = read_text_file(image);
+  expect_one_clear_sentence(run_program({"tonemap", image, "-o", image, "--operator", "reinhard02"}),
+                            "would replace the input", 2);
+  EXPECT_EQ(read_text_file(image), before);
 }
 
 TEST(ResultFolder, AFailedRunKeepsTheEarlierResult) {

@@ -200,10 +200,15 @@ TEST(Png, TruncatedFilesAreErrors) {
 
 TEST(ImageFile, WrongExtensionsAreAnsweredWithTheRightOnes) {
   const TemporaryFolder folder;
-  const std::string scene = message_of([] { read_scene_image("photo.png"); });
+  const std::filesystem::path png = folder.path() / "photo.png", exr = folder.path() / "photo.exr";
+  write_text_file(png, "not looked at");
+  write_text_file(exr, "not looked at");
+  const std::string scene = message_of([&] { read_scene_image(png); });
   EXPECT_NE(scene.find(".exr, .hdr"), std::string::npos) << scene;
-  const std::string display = message_of([] { read_display_image("photo.exr"); });
+  const std::string display = message_of([&] { read_display_image(exr); });
   EXPECT_NE(display.find(".png"), std::string::npos) << display;
+  const std::string missing = message_of([&] { read_scene_image(folder.path() / "typo"); });
+  EXPECT_NE(missing.find("does not exist"), std::string::npos) << missing;
   EXPECT_THROW(write_scene_image(folder.path() / "a.jpg", SceneImage(1, 1)), InputError);
   EXPECT_THROW(write_display_image(folder.path() / "a.hdr", DisplayImage(1, 1)), InputError);
   EXPECT_THROW(read_scene_image(folder.path() / "missing.exr"), InputError);
