@@ -14,6 +14,7 @@
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 
@@ -24,8 +25,6 @@ struct InfoOptions {
   std::string path;
   int memory_mib = 2048;
 };
-
-using Columns = std::vector<std::pair<std::string, Cell>>;
 
 void add_grid_rows(ResultTable& table, const ViewGrid& grid, const Columns& columns) {
   table.add({"columns", static_cast<double>(grid.columns), "views", columns});

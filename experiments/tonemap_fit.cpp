@@ -25,13 +25,7 @@ OperatorView read_operator_view(const std::filesystem::path& path, const std::st
 }
 
 FittedOperator fit_image(const OperatorChoice& choice, const OperatorView& image, int threads) {
-  const ViewStatistics statistics = measure_view(*image.colour, threads);
-  FitScope scope;
-  scope.load = [&image](int) { return image; };
-  scope.floor = log_floor(statistics);
-  scope.statistics = evaluate(statistics, scope.floor);
-  scope.threads = threads;
-  return choice.info->fit(choice.variant.id, choice.values, scope);
+  return choice.info->fit(choice.variant.id, choice.values, scope_of_image(image, threads));
 }
 
 void add_fit_rows(ResultTable& table, const std::vector<FittedValue>& values,

@@ -58,6 +58,9 @@ struct FitScope {
   int threads = 0;
 };
 
+/// A single image as the whole light field. `image` must outlive the scope.
+FitScope scope_of_image(const OperatorView& image, int threads = 0);
+
 /// A number of a fit, for reports.
 struct FittedValue {
   std::string name;

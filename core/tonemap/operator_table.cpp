@@ -36,18 +36,22 @@ const OperatorVariant& find_variant(const OperatorInfo& info, std::string_view i
   return find_item(info.variants, id, fmt::format("variant of operator {}", info.id));
 }
 
-ToneMapped tone_map(const OperatorInfo& info, std::string_view variant, const SettingValues& values,
-                    const OperatorView& image, int threads) {
-  if (find_variant(info, variant).scope == OperatorScope::kFrame)
-    throw InputError(fmt::format(
-        "variant {} of operator {} maps frames of a video; a single image needs another", variant, info.id));
+FitScope scope_of_image(const OperatorView& image, int threads) {
   const ViewStatistics statistics = measure_view(*image.colour, threads);
   FitScope scope;
   scope.load = [&image](int) { return image; };
   scope.floor = log_floor(statistics);
   scope.statistics = evaluate(statistics, scope.floor);
   scope.threads = threads;
-  return info.fit(variant, values, scope).apply(image, threads);
+  return scope;
+}
+
+ToneMapped tone_map(const OperatorInfo& info, std::string_view variant, const SettingValues& values,
+                    const OperatorView& image, int threads) {
+  if (find_variant(info, variant).scope == OperatorScope::kFrame)
+    throw InputError(fmt::format(
+        "variant {} of operator {} maps frames of a video; a single image needs another", variant, info.id));
+  return info.fit(variant, values, scope_of_image(image, threads)).apply(image, threads);
 }
 
 }  // namespace plenolab

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -125,10 +126,12 @@ PruningOutcome prune_rendering(Laboratory& laboratory, const std::string& id) {
   return outcome;
 }
 
+/// Each stage once, also where it was left out for several key views.
 std::string stage_names(const PruningOutcome& outcome) {
-  std::string names;
-  for (const PrunedStage& stage : outcome.stages) names += (names.empty() ? "" : ", ") + stage.stage;
-  return names.empty() ? "nothing" : names;
+  std::vector<std::string> names;
+  for (const PrunedStage& stage : outcome.stages)
+    if (std::find(names.begin(), names.end(), stage.stage) == names.end()) names.push_back(stage.stage);
+  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 void add_outcome_rows(ResultTable& rows, const PruningOutcome& o) {

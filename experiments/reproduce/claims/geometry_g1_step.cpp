@@ -9,6 +9,7 @@
 #include "core/image/colour.h"
 #include "core/synthesis/synthesizer.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
+#include "experiments/reproduce/figure_tools.h"
 #include "metrics/error_map.h"
 
 namespace plenolab {
@@ -153,7 +154,7 @@ void add_rows(ResultTable& rows, const std::vector<StepErrors>& views) {
 void add_example(ReproductionResult& result, Laboratory& laboratory, const std::string& id,
                  CameraPosition position) {
   const SceneImage truth = laboratory.truth(id, position).colour;
-  const float exposure = exposure_from(truth);
+  const float exposure = figure_exposure(truth);
   ImageComparison comparison{
       fmt::format("{} at three distances of search samples", laboratory.scene(id).title),
       "Truth and synthesised views with the finest, 1 px and the coarsest step",

@@ -10,6 +10,7 @@
 #include "experiments/reproduce/claims/geometry_occluders.h"
 #include "experiments/reproduce/claims/geometry_restored.h"
 #include "experiments/reproduce/figure_places.h"
+#include "experiments/reproduce/figure_tools.h"
 #include "experiments/score.h"
 #include "metrics/error_map.h"
 
@@ -48,7 +49,8 @@ std::vector<CameraPosition> judged_cells(const ViewGrid& grid, Effort effort) {
 }
 
 void show(ReproductionResult& result, const Subject& subject, const NovelView<SceneReferred>& novel,
-          const SceneImage& truth, float exposure) {
+          const SceneImage& truth) {
+  const float exposure = figure_exposure(truth);  // for looking; errors are taken at that of the metrics
   ComparisonConditions conditions;
   conditions.exposure = exposure;
   result.add_comparison(
@@ -73,7 +75,7 @@ Subject measure_scene(Laboratory& laboratory, const std::string& id, Reproductio
     const auto novel = laboratory.synthesizer(id).synthesize(position, options);
     const KeyView<SceneReferred> truth = laboratory.truth(id, position);
     const float exposure = exposure_from(truth.colour);
-    if (subject.units.empty()) show(result, subject, novel, truth.colour, exposure);
+    if (subject.units.empty()) show(result, subject, novel, truth.colour);
     subject.units.push_back(restoration_errors(novel, truth, exposure));
   }
   subject.ratio = restored_over_rest(subject.units, laboratory.options().seed);

@@ -76,8 +76,8 @@ LightField flat_light_field(const FlatWorld& world, const ViewGrid& grid, const 
 /// 60°.
 ViewGrid probe_grid(int columns, int rows, double spacing_m, int width, int height);
 
-/// A coloured pattern, linear radiance in [0.04, 1]: random colours `feature_px` apart, smooth in between,
-/// repeated after 64 of them. For FlatSurface::colour.
+/// A tinted pattern, linear radiance in [0.04, 1] with mean 0.52: random tones `feature_px` apart, smooth in
+/// between, repeated after 64 of them. For FlatSurface::colour.
 FlatColour flat_pattern(double feature_px, std::uint32_t seed);
 
 /// A scene without surfaces: camera at the origin looking along +y, z up, uniform light of `sky_cd_m2` from

@@ -66,9 +66,11 @@ constexpr int kPatternPeriod = 64;  ///< colours of a pattern along each axis
 std::vector<Rgb> pattern_colours(std::uint32_t seed) {
   std::vector<Rgb> colours(kPatternPeriod * kPatternPeriod);
   RandomStream random(seed, 0x7061747465726eu, 0);
-  for (Rgb& colour : colours)
+  for (Rgb& colour : colours) {
+    const float tone = 0.12f + 0.8f * random.next_float();
     for (float* channel : {&colour.r, &colour.g, &colour.b})
-      *channel = 0.04f + 0.96f * static_cast<float>(random.next_double());
+      *channel = tone + 0.16f * (random.next_float() - 0.5f);
+  }
   return colours;
 }
 
