@@ -43,6 +43,10 @@ const char* title_of(Chapter chapter) {
       return "Appearance";
     case Chapter::kQuality:
       return "Quality of synthesised views";
+    case Chapter::kOperators:
+      return "Tone mapping operators";
+    case Chapter::kConsistency:
+      return "Consistency of tone mapping";
     case Chapter::kSpeed:
       return "Error against run time";
     case Chapter::kClaims:

@@ -44,7 +44,7 @@ struct ReproductionResult {
 };
 
 /// Which chapter of the report an item belongs to.
-enum class Chapter { kScenes, kGeometry, kAppearance, kQuality, kSpeed, kClaims };
+enum class Chapter { kScenes, kGeometry, kAppearance, kQuality, kOperators, kConsistency, kSpeed, kClaims };
 
 const char* title_of(Chapter chapter);
 
