@@ -1,0 +1,80 @@
+#include "experiments/reproduce/tonemap/mapping_bench.h"
+
+#include <algorithm>
+
+namespace plenolab {
+
+namespace {
+
+/// Mapped light fields held at a time: what neighbouring items share.
+constexpr std::size_t kKeptKeyViews = 6;
+constexpr int kFramesPerColumn = 10, kFramesPerRow = 20;
+
+}  // namespace
+
+Motion motion_over(const std::string& scene, const ViewGrid& grid) {
+  const double last_column = grid.columns - 1, last_row = grid.rows - 1;
+  if (scene == "dunes")
+    return {.from = {last_column / 2, 0},
+            .to = {last_column / 2, last_row},
+            .frames = kFramesPerRow * (grid.rows - 1) + 1};
+  return {.from = {0, last_row / 2},
+          .to = {last_column, last_row / 2},
+          .frames = kFramesPerColumn * (grid.columns - 1) + 1};
+}
+
+MappingBench::MappingBench(Laboratory& laboratory) : laboratory_(laboratory) {}
+
+int MappingBench::threads() const {
+  return laboratory_.options().threads;
+}
+
+const LightFieldStatistics& MappingBench::statistics(const std::string& scene) {
+  std::optional<LightFieldStatistics>& statistics = scenes_[scene].statistics;
+  if (!statistics) statistics = measure_light_field(laboratory_.light_field(scene), threads());
+  return *statistics;
+}
+
+std::shared_ptr<const MappedKeyViews> MappingBench::key_views(const std::string& scene,
+                                                              const Mapping& mapping) {
+  // The weights at image borders do not belong to the key views.
+  Mapping of_views = mapping;
+  of_views.border_weight = BorderWeight::kPrinted;
+  const std::string key = scene + ": " + of_views.key();
+  const auto found =
+      std::find_if(kept_.begin(), kept_.end(), [&](const KeptKeyViews& k) { return k.key == key; });
+  if (found != kept_.end()) {
+    std::rotate(found, found + 1, kept_.end());
+    return kept_.back().views;
+  }
+  if (kept_.size() == kKeptKeyViews) kept_.erase(kept_.begin());
+  kept_.push_back({key, std::make_shared<const MappedKeyViews>(map_key_views(
+                            laboratory_.light_field(scene), statistics(scene), mapping, threads()))});
+  return kept_.back().views;
+}
+
+const RecordedMotion& MappingBench::recording(const std::string& scene) {
+  std::optional<RecordedMotion>& recording = scenes_[scene].recording;
+  if (!recording)
+    recording =
+        record_motion(laboratory_.synthesizer(scene), motion_over(scene, laboratory_.grid(scene)), threads());
+  return *recording;
+}
+
+const MappedMotion& MappingBench::motion(const std::string& scene, const Mapping& mapping) {
+  std::map<std::string, MappedMotion>& motions = scenes_[scene].motions;
+  const std::string key = mapping.key();
+  const auto found = motions.find(key);
+  if (found != motions.end()) return found->second;
+  return motions.emplace(key, show(scene, recording(scene), mapping)).first->second;
+}
+
+MappedMotion MappingBench::show(const std::string& scene, const RecordedMotion& recording,
+                                const Mapping& mapping) {
+  std::shared_ptr<const MappedKeyViews> mapped;
+  if (mapping.place() == MappingPlace::kKeyViews) mapped = key_views(scene, mapping);
+  return map_motion(laboratory_.light_field(scene), statistics(scene), recording, mapping, mapped.get(),
+                    {{"scene", scene}, {"mapping", mapping.label}}, threads());
+}
+
+}  // namespace plenolab
