@@ -14,6 +14,7 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory);
 ReproductionResult reproduce_water(Laboratory& laboratory);
 ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
+ReproductionResult reproduce_consistency_table(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
@@ -50,6 +51,8 @@ std::span<const Reproduction> reproductions() {
                    reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
+      Reproduction{"tone-mapping-consistency", "Consistency of every operator over camera motions",
+                   Chapter::kConsistency, reproduce_consistency_table},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
