@@ -6,9 +6,10 @@ namespace plenolab {
 
 namespace {
 
-/// A view that someone else owns.
-OperatorView borrowed(const SceneImage& image) {
-  return {{std::shared_ptr<const void>{}, &image}, nullptr};
+/// An image that someone else owns.
+template <class Image>
+std::shared_ptr<const Image> borrowed(const Image* image) {
+  return {std::shared_ptr<const void>{}, image};
 }
 
 }  // namespace
@@ -22,10 +23,12 @@ FrameMapper::FrameMapper(const LightField& field, LightFieldStatistics statistic
                                         scope_of_light_field(field, statistics_, options_.threads));
 }
 
-FrameMapping FrameMapper::map(const SceneImage& frame, CameraPosition position) {
+FrameMapping FrameMapper::map(const SceneImage& frame, const DisparityMap* disparity,
+                              CameraPosition position) {
   if (choice_.maps_frames()) return map_adaptively(frame, position);
-  if (choice_.variant.scope == OperatorScope::kView) return map_by_itself(frame);
-  ToneMapped mapped = of_light_field_.apply(borrowed(frame), options_.threads);
+  const OperatorView view{borrowed(&frame), borrowed(disparity)};
+  if (choice_.variant.scope == OperatorScope::kView) return map_by_itself(view);
+  ToneMapped mapped = of_light_field_.apply(view, options_.threads);
   return {std::move(mapped.image), {}, mapped.counts};
 }
 
@@ -42,14 +45,14 @@ FrameMapping FrameMapper::map_adaptively(const SceneImage& frame, CameraPosition
 }
 
 // A fit to the frame alone, but for the log floor, which is that of the light field.
-FrameMapping FrameMapper::map_by_itself(const SceneImage& frame) const {
+FrameMapping FrameMapper::map_by_itself(const OperatorView& frame) const {
   FitScope scope;
-  scope.load = [&frame](int) { return borrowed(frame); };
-  scope.statistics = evaluate(measure_view(frame, options_.threads), statistics_.floor);
+  scope.load = [&frame](int) { return frame; };
+  scope.statistics = evaluate(measure_view(*frame.colour, options_.threads), statistics_.floor);
   scope.floor = statistics_.floor;
   scope.threads = options_.threads;
   const FittedOperator fitted = choice_.info->fit(choice_.variant.id, choice_.values, scope);
-  ToneMapped mapped = fitted.apply(borrowed(frame), options_.threads);
+  ToneMapped mapped = fitted.apply(frame, options_.threads);
   return {std::move(mapped.image), {fitted.values, fitted.notes}, mapped.counts};
 }
 

@@ -27,18 +27,19 @@ struct FrameMapperOptions {
 /// itself (variants for views). Handed frames in order, it starts as at a cut.
 class FrameMapper {
  public:
-  /// `field` are the key views behind the frames, `statistics` theirs. The variant must not need disparity.
+  /// `field` are the key views behind the frames, `statistics` theirs.
   FrameMapper(const LightField& field, LightFieldStatistics statistics, const OperatorChoice& choice,
               const FrameMapperOptions& options);
 
   /// Empty unless one fit maps all frames.
   FitSummary fit_of_light_field() const { return {of_light_field_.values, of_light_field_.notes}; }
 
-  FrameMapping map(const SceneImage& frame, CameraPosition position);
+  /// `disparity` is that of the frame; null if unknown, then the variant must not need it.
+  FrameMapping map(const SceneImage& frame, const DisparityMap* disparity, CameraPosition position);
 
  private:
   FrameMapping map_adaptively(const SceneImage& frame, CameraPosition position);
-  FrameMapping map_by_itself(const SceneImage& frame) const;
+  FrameMapping map_by_itself(const OperatorView& frame) const;
 
   ViewGrid grid_;
   LightFieldStatistics statistics_;

@@ -35,17 +35,17 @@ VideoPreprocessing map_frames(const LightField& field, std::span<const CameraPos
   preprocessing.fit = mapper.fit_of_light_field();
   field.max_disparity_px();
   preprocessing.seconds = watch.seconds();
-  Synthesizer(field).synthesize_sequence(positions, options.synthesis,
-                                         [&](std::size_t index, NovelView<SceneReferred>&& view) {
-                                           MappedVideoFrame frame = synthesised_frame(index, view);
-                                           const Stopwatch map_watch;
-                                           FrameMapping mapped = mapper.map(view.image, view.position);
-                                           frame.seconds_postprocess = map_watch.seconds();
-                                           frame.image = std::move(mapped.image);
-                                           frame.fit = std::move(mapped.fit);
-                                           frame.counts = mapped.counts;
-                                           receive(frame);
-                                         });
+  Synthesizer(field).synthesize_sequence(
+      positions, options.synthesis, [&](std::size_t index, NovelView<SceneReferred>&& view) {
+        MappedVideoFrame frame = synthesised_frame(index, view);
+        const Stopwatch map_watch;
+        FrameMapping mapped = mapper.map(view.image, nullptr, view.position);
+        frame.seconds_postprocess = map_watch.seconds();
+        frame.image = std::move(mapped.image);
+        frame.fit = std::move(mapped.fit);
+        frame.counts = mapped.counts;
+        receive(frame);
+      });
   return preprocessing;
 }
 

@@ -31,6 +31,11 @@ ReproductionResult reproduce_claim_a3(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t7(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -89,6 +94,17 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-a6",
                    "Claim A-A6: linear border gradients leave edges, printed ones do not", Chapter::kClaims,
                    reproduce_claim_a6},
+      Reproduction{"altmeier-claim-t1", "Claim A-T1: Cornsweet profiles at borders of visibility",
+                   Chapter::kClaims, reproduce_claim_t1},
+      Reproduction{"altmeier-claim-t4",
+                   "Claim A-T4: naive Reinhard 2005 differs between neighbouring key views", Chapter::kClaims,
+                   reproduce_claim_t4},
+      Reproduction{"altmeier-claim-t5", "Claim A-T5: stable highlights and gradual change leave no steps",
+                   Chapter::kClaims, reproduce_claim_t5},
+      Reproduction{"altmeier-claim-t6", "Claim A-T6: joint statistics remove inconsistency and adaptation",
+                   Chapter::kClaims, reproduce_claim_t6},
+      Reproduction{"altmeier-claim-t7", "Claim A-T7: mapping after synthesis is consistent inside the view",
+                   Chapter::kClaims, reproduce_claim_t7},
   };
   return kItems;
 }

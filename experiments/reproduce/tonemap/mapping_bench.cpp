@@ -1,6 +1,9 @@
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 
 #include <algorithm>
+#include <array>
+
+#include "experiments/reproduce/figure_places.h"
 
 namespace plenolab {
 
@@ -53,6 +56,17 @@ std::shared_ptr<const MappedKeyViews> MappingBench::key_views(const std::string&
   return kept_.back().views;
 }
 
+const std::vector<ReferenceFrame>& MappingBench::views_in_cells(const std::string& scene) {
+  static constexpr std::array<CameraPosition, 2> kOffsets{{{0.5, 0.5}, {0.25, 0.6}}};
+  std::vector<ReferenceFrame>& views = scenes_[scene].views_in_cells;
+  SynthesisOptions options;
+  options.threads = threads();
+  if (views.empty())
+    for (const CameraPosition& position : cell_positions(laboratory_.grid(scene), kOffsets))
+      views.push_back(reference_frame(laboratory_.synthesizer(scene), position, options));
+  return views;
+}
+
 const RecordedMotion& MappingBench::recording(const std::string& scene) {
   std::optional<RecordedMotion>& recording = scenes_[scene].recording;
   if (!recording)
@@ -67,6 +81,23 @@ const MappedMotion& MappingBench::motion(const std::string& scene, const Mapping
   const auto found = motions.find(key);
   if (found != motions.end()) return found->second;
   return motions.emplace(key, show(scene, recording(scene), mapping)).first->second;
+}
+
+void MappingBench::for_each_frame(
+    const std::string& scene, const Mapping& mapping, std::span<const ReferenceFrame> frames,
+    const std::function<void(std::size_t index, FrameMapping&& frame)>& receive) {
+  std::shared_ptr<const MappedKeyViews> mapped;
+  if (mapping.place() == MappingPlace::kKeyViews) mapped = key_views(scene, mapping);
+  for_each_mapped_frame(laboratory_.light_field(scene), statistics(scene), frames, Motion{}.frames_per_second,
+                        mapping, mapped.get(), threads(), receive);
+}
+
+std::vector<DisplayImage> MappingBench::frames(const std::string& scene, const Mapping& mapping,
+                                               std::span<const ReferenceFrame> frames) {
+  std::vector<DisplayImage> images;
+  for_each_frame(scene, mapping, frames,
+                 [&](std::size_t, FrameMapping&& frame) { images.push_back(std::move(frame.image)); });
+  return images;
 }
 
 MappedMotion MappingBench::show(const std::string& scene, const RecordedMotion& recording,

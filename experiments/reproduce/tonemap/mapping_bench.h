@@ -23,11 +23,19 @@ class MappingBench {
   const LightFieldStatistics& statistics(const std::string& scene);
   /// Key views mapped before synthesis (Mapping::place). Keeps the latest few only: hold on to what is used.
   std::shared_ptr<const MappedKeyViews> key_views(const std::string& scene, const Mapping& mapping);
+  /// HDR views within every cell of the grid: at its centre and at a place off every line of symmetry.
+  const std::vector<ReferenceFrame>& views_in_cells(const std::string& scene);
   /// motion_over the scene.
   const RecordedMotion& recording(const std::string& scene);
   /// The recording as a mapping shows it; its rows have the columns scene and mapping.
   const MappedMotion& motion(const std::string& scene, const Mapping& mapping);
-  /// The same for another recording of the scene; not kept.
+  /// HDR frames of the scene with a mapping, in order; 30 frames a second for variants that map frames.
+  void for_each_frame(const std::string& scene, const Mapping& mapping,
+                      std::span<const ReferenceFrame> frames,
+                      const std::function<void(std::size_t index, FrameMapping&& frame)>& receive);
+  std::vector<DisplayImage> frames(const std::string& scene, const Mapping& mapping,
+                                   std::span<const ReferenceFrame> frames);
+  /// As motion(), for another recording of the scene; not kept.
   MappedMotion show(const std::string& scene, const RecordedMotion& recording, const Mapping& mapping);
 
   Laboratory& laboratory() { return laboratory_; }
@@ -36,6 +44,7 @@ class MappingBench {
  private:
   struct SceneState {
     std::optional<LightFieldStatistics> statistics;
+    std::vector<ReferenceFrame> views_in_cells;
     std::optional<RecordedMotion> recording;
     std::map<std::string, MappedMotion> motions;
   };

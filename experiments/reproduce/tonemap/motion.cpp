@@ -21,14 +21,6 @@ SynthesisOptions synthesis_options(const Mapping& mapping, int threads) {
   return options;
 }
 
-/// Log10 of the largest finite luminance of a frame; −300 for one without light.
-double log_peak(const SceneImage& frame) {
-  float peak = 0;
-  for (const Rgb& c : frame.pixels())
-    if (const float y = luminance(c); std::isfinite(y)) peak = std::max(peak, y);
-  return peak > 0 ? std::log10(static_cast<double>(peak)) : -300;
-}
-
 std::size_t largest_peak_step(const std::vector<ReferenceFrame>& frames) {
   std::size_t event = 1;
   double largest = -1;
@@ -76,6 +68,13 @@ class EpiCollector {
 };
 
 }  // namespace
+
+double log_peak(const SceneImage& view) {
+  float peak = 0;
+  for (const Rgb& c : view.pixels())
+    if (const float y = luminance(c); std::isfinite(y)) peak = std::max(peak, y);
+  return peak > 0 ? std::log10(static_cast<double>(peak)) : -300;
+}
 
 std::string Mapping::key() const {
   return fmt::format("{} {} {} {} {} {}", choice.info->id, choice.variant_name(), settings_text(choice),
@@ -149,19 +148,18 @@ MappedKeyViews map_key_views(const LightField& field, const LightFieldStatistics
 }
 
 void for_each_mapped_frame(const LightField& field, const LightFieldStatistics& statistics,
-                           const RecordedMotion& recording, const Mapping& mapping,
-                           const MappedKeyViews* key_views, int threads,
+                           std::span<const ReferenceFrame> frames, double frames_per_second,
+                           const Mapping& mapping, const MappedKeyViews* key_views, int threads,
                            const std::function<void(std::size_t index, FrameMapping&& frame)>& receive) {
   if (mapping.place() == MappingPlace::kFrames) {
-    FrameMapper mapper(field, statistics, mapping.choice,
-                       {mapping.adaptation, recording.motion.frames_per_second, threads});
-    for (std::size_t i = 0; i < recording.frames.size(); ++i)
-      receive(i, mapper.map(recording.frames[i].hdr, recording.frames[i].position));
+    FrameMapper mapper(field, statistics, mapping.choice, {mapping.adaptation, frames_per_second, threads});
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      receive(i, mapper.map(frames[i].hdr, &frames[i].disparity_px, frames[i].position));
     return;
   }
   PLENOLAB_CHECK(key_views != nullptr, "mapped key views");
   std::vector<CameraPosition> positions;
-  for (const ReferenceFrame& frame : recording.frames) positions.push_back(frame.position);
+  for (const ReferenceFrame& frame : frames) positions.push_back(frame.position);
   DisplaySynthesizer(key_views->field)
       .synthesize_sequence(positions, synthesis_options(mapping, threads),
                            [&](std::size_t index, NovelView<DisplayReferred>&& view) {
@@ -176,8 +174,8 @@ MappedMotion map_motion(const LightField& field, const LightFieldStatistics& sta
   ConsistencyMeter meter(field.grid(), synthesis_options(mapping, threads), {.threads = threads});
   EpiCollector lines(recording);
   const std::size_t last = recording.frames.size() - 1;
-  for_each_mapped_frame(field, statistics, recording, mapping, key_views, threads,
-                        [&](std::size_t i, FrameMapping&& frame) {
+  for_each_mapped_frame(field, statistics, recording.frames, recording.motion.frames_per_second, mapping,
+                        key_views, threads, [&](std::size_t i, FrameMapping&& frame) {
                           mapped.frames.push_back(meter.add(recording.frames[i], frame.image));
                           lines.add(frame.image);
                           mapped.fits.push_back(std::move(frame.fit.values));

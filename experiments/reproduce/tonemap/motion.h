@@ -40,6 +40,9 @@ struct Motion {
   bool vertical() const { return from.s == to.s && from.t != to.t; }
 };
 
+/// Log10 of the largest finite luminance of a view; −300 for one without light.
+double log_peak(const SceneImage& view);
+
 /// The HDR frames of a motion, synthesised once, which all mappings are judged against.
 struct RecordedMotion {
   Motion motion;
@@ -90,10 +93,10 @@ MappedMotion map_motion(const LightField& field, const LightFieldStatistics& sta
                         const RecordedMotion& recording, const Mapping& mapping,
                         const MappedKeyViews* key_views, const Columns& columns, int threads);
 
-/// All frames of a recording with a mapping, handed over in order.
+/// Shows HDR frames with a mapping, in order; variants for frames take them as a motion.
 void for_each_mapped_frame(const LightField& field, const LightFieldStatistics& statistics,
-                           const RecordedMotion& recording, const Mapping& mapping,
-                           const MappedKeyViews* key_views, int threads,
+                           std::span<const ReferenceFrame> frames, double frames_per_second,
+                           const Mapping& mapping, const MappedKeyViews* key_views, int threads,
                            const std::function<void(std::size_t index, FrameMapping&& frame)>& receive);
 
 }  // namespace plenolab
