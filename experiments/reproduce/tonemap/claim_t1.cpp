@@ -32,8 +32,8 @@ LightField bar_field(double edge_log10, int threads) {
     return Rgb{v, v, v};
   };
   FlatWorld world;
-  world.surfaces = {{.disparity_px = 4, .covers = {}, .colour = grey(0)},
-                    {.disparity_px = 4.5, .covers = {}, .colour = grey(2.5), .bounds = {.bottom = 24}},
+  const FlatColour wall = [grey](double, double y) { return grey(y < 24 ? 2.5 : 0); };
+  world.surfaces = {{.disparity_px = 4, .covers = {}, .colour = wall},
                     {.disparity_px = 16,
                      .covers = {},
                      .colour = grey(edge_log10),
@@ -110,7 +110,7 @@ ReproductionResult reproduce_claim_t1(Laboratory& laboratory) {
             {naive,
              Comparison::kAbove,
              kVisible_log10,
-             "border_step",
+             "largest_border_step",
              "log10",
              uncertainty,
              {"bar probe, 6 contrasts, 2 views"},
@@ -121,7 +121,7 @@ ReproductionResult reproduce_claim_t1(Laboratory& laboratory) {
             {enhanced,
              Comparison::kBelow,
              kVisible_log10,
-             "border_step",
+             "largest_border_step",
              "log10",
              uncertainty,
              {"bar probe, 6 contrasts, 2 views"},

@@ -28,6 +28,20 @@ struct PairSquares {
   double mean() const { return pairs > 0 ? sum / static_cast<double>(pairs) : 0; }
 };
 
+/// Pixels whose eight neighbours show the same surface: edges of other surfaces colour those beside them.
+Mask inside_surfaces(const DisparityMap& disparity) {
+  Mask inner(disparity.width(), disparity.height());
+  for (int y = 1; y + 1 < disparity.height(); ++y)
+    for (int x = 1; x + 1 < disparity.width(); ++x) {
+      bool same = true;
+      for (int v = y - 1; v <= y + 1; ++v)
+        for (int u = x - 1; u <= x + 1; ++u)
+          same = same && std::abs(disparity.at(u, v) - disparity.at(x, y)) <= kSameSurface_px;
+      inner.at(x, y) = same ? 1 : 0;
+    }
+  return inner;
+}
+
 double border_region_of(const Plane<float>& difference) {
   const int w = difference.width(), h = difference.height();
   const int dx = static_cast<int>(kRegionShare * w), dy = static_cast<int>(kRegionShare * h);
@@ -109,12 +123,11 @@ Plane<float> luma_difference(const DisplayImage& image, const DisplayImage& othe
 }
 
 BorderStep border_step(const Plane<float>& values, const ReferenceFrame& frame) {
+  const Mask inner = inside_surfaces(frame.disparity_px);
   PairSquares border, inside;
   const auto compare = [&](int x, int y, int u, int v) {
     const std::uint8_t here = frame.contributors.at(x, y), there = frame.contributors.at(u, v);
-    if (here == 0 || there == 0 ||
-        std::abs(frame.disparity_px.at(x, y) - frame.disparity_px.at(u, v)) > kSameSurface_px)
-      return;
+    if (here == 0 || there == 0 || !inner.at(x, y) || !inner.at(u, v)) return;
     (here == there ? inside : border).add(values.at(u, v) - values.at(x, y));
   };
   for (int y = 0; y < values.height(); ++y)
