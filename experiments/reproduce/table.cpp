@@ -36,6 +36,12 @@ ReproductionResult reproduce_claim_t4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t6(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t7(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t8(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t9(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t10(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t12(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t13(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -105,6 +111,17 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kClaims, reproduce_claim_t6},
       Reproduction{"altmeier-claim-t7", "Claim A-T7: mapping after synthesis is consistent inside the view",
                    Chapter::kClaims, reproduce_claim_t7},
+      Reproduction{"altmeier-claim-t8", "Claim A-T8: outliers over time", Chapter::kClaims,
+                   reproduce_claim_t8},
+      Reproduction{"altmeier-claim-t9", "Claim A-T9: adaptation before and at the event", Chapter::kClaims,
+                   reproduce_claim_t9},
+      Reproduction{"altmeier-claim-t10", "Claim A-T10: what key-view adjustment lowers, keeps and loses",
+                   Chapter::kClaims, reproduce_claim_t10},
+      Reproduction{"altmeier-claim-t12", "Claim A-T12: adaptation to the sun of the Dunes", Chapter::kClaims,
+                   reproduce_claim_t12},
+      Reproduction{"altmeier-claim-t13", "Claim A-T13: a denser grid makes outliers worse", Chapter::kClaims,
+                   reproduce_claim_t13},
+      Reproduction{"altmeier-claim-t14", "Claim A-T14: fast motion", Chapter::kClaims, reproduce_claim_t14},
   };
   return kItems;
 }

@@ -1,7 +1,9 @@
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 
 #include <algorithm>
+
 #include <array>
+#include "core/base/error.h"
 
 #include "experiments/reproduce/figure_places.h"
 
@@ -15,14 +17,16 @@ constexpr int kFramesPerColumn = 10, kFramesPerRow = 20;
 
 }  // namespace
 
-Motion motion_over(const std::string& scene, const ViewGrid& grid) {
+Motion motion_over(const std::string& scene, const ViewGrid& grid, int line) {
+  PLENOLAB_CHECK(line >= 0 && line < kMotionLines, std::to_string(line));
   const double last_column = grid.columns - 1, last_row = grid.rows - 1;
+  const double share = static_cast<double>(line) / (kMotionLines - 1);
   if (scene == "dunes")
-    return {.from = {last_column / 2, 0},
-            .to = {last_column / 2, last_row},
+    return {.from = {share * last_column, 0},
+            .to = {share * last_column, last_row},
             .frames = kFramesPerRow * (grid.rows - 1) + 1};
-  return {.from = {0, last_row / 2},
-          .to = {last_column, last_row / 2},
+  return {.from = {0, share * last_row},
+          .to = {last_column, share * last_row},
           .frames = kFramesPerColumn * (grid.columns - 1) + 1};
 }
 
@@ -67,20 +71,20 @@ const std::vector<ReferenceFrame>& MappingBench::views_in_cells(const std::strin
   return views;
 }
 
-const RecordedMotion& MappingBench::recording(const std::string& scene) {
-  std::optional<RecordedMotion>& recording = scenes_[scene].recording;
+const RecordedMotion& MappingBench::recording(const std::string& scene, int line) {
+  std::optional<RecordedMotion>& recording = scenes_[scene].recordings.at(static_cast<std::size_t>(line));
   if (!recording)
-    recording =
-        record_motion(laboratory_.synthesizer(scene), motion_over(scene, laboratory_.grid(scene)), threads());
+    recording = record_motion(laboratory_.synthesizer(scene),
+                              motion_over(scene, laboratory_.grid(scene), line), threads());
   return *recording;
 }
 
-const MappedMotion& MappingBench::motion(const std::string& scene, const Mapping& mapping) {
-  std::map<std::string, MappedMotion>& motions = scenes_[scene].motions;
-  const std::string key = mapping.key();
+const MappedMotion& MappingBench::motion(const std::string& scene, const Mapping& mapping, int line) {
+  auto& motions = scenes_[scene].motions;
+  const std::pair key{line, mapping.key()};
   const auto found = motions.find(key);
   if (found != motions.end()) return found->second;
-  return motions.emplace(key, show(scene, recording(scene), mapping)).first->second;
+  return motions.emplace(key, show(scene, recording(scene, line), mapping)).first->second;
 }
 
 void MappingBench::for_each_frame(
