@@ -14,6 +14,15 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory);
 ReproductionResult reproduce_water(Laboratory& laboratory);
 ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
+ReproductionResult reproduce_response_curves(Laboratory& laboratory);
+ReproductionResult reproduce_trimming(Laboratory& laboratory);
+ReproductionResult reproduce_naive_edge(Laboratory& laboratory);
+ReproductionResult reproduce_naive_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_edge_without_foreground(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_edge(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_visibility_threshold(Laboratory& laboratory);
+ReproductionResult reproduce_numbers_of_trimmings(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
@@ -50,6 +59,24 @@ std::span<const Reproduction> reproductions() {
                    reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
+      Reproduction{"altmeier-fig-3", "Figure 3: response curves of Reinhard & Devlin", Chapter::kOperators,
+                   reproduce_response_curves},
+      Reproduction{"altmeier-fig-5", "Figure 5: trimming of the histogram", Chapter::kOperators,
+                   reproduce_trimming},
+      Reproduction{"altmeier-fig-21", "Figure 21: an edge through the naive bilateral operator",
+                   Chapter::kOperators, reproduce_naive_edge},
+      Reproduction{"altmeier-fig-22", "Figure 22: the naive bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_naive_bilateral_view},
+      Reproduction{"altmeier-fig-23", "Figure 23: an edge without foreground layer", Chapter::kOperators,
+                   reproduce_edge_without_foreground},
+      Reproduction{"altmeier-fig-24", "Figure 24: an edge through the enhanced bilateral operator",
+                   Chapter::kOperators, reproduce_enhanced_edge},
+      Reproduction{"altmeier-fig-25", "Figure 25: the enhanced bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_enhanced_bilateral_view},
+      Reproduction{"altmeier-fig-26", "Figure 26: the smallest visible difference", Chapter::kOperators,
+                   reproduce_visibility_threshold},
+      Reproduction{"altmeier-fig-27", "Figure 27: numbers of trimming passes", Chapter::kOperators,
+                   reproduce_numbers_of_trimmings},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
