@@ -39,6 +39,8 @@ ReproductionResult reproduce_claim_a3(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -113,6 +115,11 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-a6",
                    "Claim A-A6: linear border gradients leave edges, printed ones do not", Chapter::kClaims,
                    reproduce_claim_a6},
+      Reproduction{"altmeier-claim-t2",
+                   "Claim A-T2: the foreground layer returns part of the contrast across depth edges",
+                   Chapter::kClaims, reproduce_claim_t2},
+      Reproduction{"altmeier-claim-t3", "Claim A-T3: histogram adjustment, consistent in bright scenes",
+                   Chapter::kClaims, reproduce_claim_t3},
   };
   return kItems;
 }
