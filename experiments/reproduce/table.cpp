@@ -23,7 +23,9 @@ ReproductionResult reproduce_enhanced_edge(Laboratory& laboratory);
 ReproductionResult reproduce_enhanced_bilateral_view(Laboratory& laboratory);
 ReproductionResult reproduce_visibility_threshold(Laboratory& laboratory);
 ReproductionResult reproduce_numbers_of_trimmings(Laboratory& laboratory);
+ReproductionResult reproduce_adaptation_in_time(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
+ReproductionResult reproduce_tone_mapping_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
@@ -79,8 +81,12 @@ std::span<const Reproduction> reproductions() {
                    reproduce_visibility_threshold},
       Reproduction{"altmeier-fig-27", "Figure 27: numbers of trimming passes", Chapter::kOperators,
                    reproduce_numbers_of_trimmings},
+      Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
+                   Chapter::kConsistency, reproduce_adaptation_in_time},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
+      Reproduction{"sweep-tone-mapping", "Error against run time of tone mapping", Chapter::kSpeed,
+                   reproduce_tone_mapping_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
       Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
                    Chapter::kClaims, reproduce_claim_g1},

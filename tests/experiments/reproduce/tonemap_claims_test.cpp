@@ -59,7 +59,7 @@ TEST(SumContrast, FollowsTheFormulaOfTheOperator) {
   EXPECT_NEAR(sum.returned(), 0.5, 1e-12);
 }
 
-/// 2 × 1 views of a far plane with six decades of light; a share of the right one is made dark.
+/// 2 × 1 views of a far plane with six decades of light; rows of the right one have the lower three only.
 ToneScene far_scene(int dark_rows) {
   const ViewGrid grid{.columns = 2, .rows = 1, .width = 32, .height = 32};
   std::vector<KeyView<SceneReferred>> views;
@@ -67,8 +67,9 @@ ToneScene far_scene(int dark_rows) {
     KeyView<SceneReferred> view{SceneImage(32, 32), DisparityMap(32, 32)};
     for (int y = 0; y < 32; ++y)
       for (int x = 0; x < 32; ++x) {
-        const float light = static_cast<float>(std::pow(10.0, -2 + 6.0 * x / 31));
-        view.colour.at(x, y) = Rgb{1, 1, 1} * (v == 1 && y < dark_rows ? 0.01f : light);
+        const double decades = v == 1 && y < dark_rows ? 3 : 6;
+        const double place = (x * 32 + y) / 1023.0;  // of its own for each pixel: no bin stands out
+        view.colour.at(x, y) = Rgb{1, 1, 1} * static_cast<float>(std::pow(10.0, -2 + decades * place));
       }
     views.push_back(std::move(view));
   }
