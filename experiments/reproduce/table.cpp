@@ -124,7 +124,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-t2",
                    "Claim A-T2: the foreground layer returns part of the contrast across depth edges",
                    Chapter::kClaims, reproduce_claim_t2},
-      Reproduction{"altmeier-claim-t3", "Claim A-T3: histogram adjustment, consistent in bright scenes",
+      Reproduction{"altmeier-claim-t3",
+                   "Claim A-T3: histogram adjustment is consistent in bright scenes, less so in dark ones",
                    Chapter::kClaims, reproduce_claim_t3},
   };
   return kItems;

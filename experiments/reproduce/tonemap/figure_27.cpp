@@ -8,7 +8,7 @@
 
 #include "core/image/colour.h"
 #include "experiments/reproduce/reproduction.h"
-#include "experiments/reproduce/tonemap/tone_scene.h"
+#include "experiments/reproduce/tonemap/trimming_consistency.h"
 #include "experiments/score.h"
 
 namespace plenolab {
@@ -68,7 +68,7 @@ std::string label_of(const TrimmedView& view) {
 void add_views(ReproductionResult& result, const ToneScene& scene, const std::string& ceiling,
                const std::vector<TrimmedView>& views, ReportTable& table) {
   ImageComparison comparison{
-      fmt::format("{}, key view {}: {} ceiling", scene.title,
+      fmt::format("{}, key view {}: ceiling {}", scene.title,
                   view_name(scene.field.grid(), middle_view(scene.field.grid())), ceiling),
       "The same view after several numbers of trimming passes",
       {}};
@@ -130,14 +130,14 @@ ReproductionResult reproduce_numbers_of_trimmings(Laboratory& laboratory) {
     if (kCeilings[i] == HistogramCeiling::kAsPrinted && views.back().linear)
       printed_linear = views.back().mean;
   }
-  // Five grey levels of 256, as for errors of synthesised views.
-  constexpr double kNoticeable = 0.02;
-  const auto verdict = [&](double step) { return step > kNoticeable ? "are noticeable" : "are hardly seen"; };
+  const double visible = visible_luma_change();
+  const auto verdict = [&](double step) { return step > visible ? "are noticeable" : "are hardly seen"; };
   result.differs = fmt::format(
-      "With the ceiling that limits visible contrast to the scene's, differences between numbers of passes "
-      "{} "
-      "(largest step of mean luma {:.3f}); with the ratio as printed they {} ({:.3f}).",
-      verdict(steps[0]), steps[0], verdict(steps[1]), steps[1]);
+      "With the ceiling that limits visible contrast to the scene's, differences between 1, 2, 4 and 8 "
+      "passes {} "
+      "(largest step of mean luma {:.3f}; {:.3f} is just visible); with the ratio as printed they {} "
+      "({:.3f}).",
+      verdict(steps[0]), steps[0], visible, verdict(steps[1]), steps[1]);
   if (printed_linear)
     result.differs += fmt::format(
         " As printed the view ends linear, with a mean luma of {:.3f}, while section 6.3 finds the Cellar's "

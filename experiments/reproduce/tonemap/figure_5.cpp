@@ -83,7 +83,7 @@ ReportPlot histogram_plot(const TrimmedScene& scene) {
   plot.series = {histogram_series("before", scene.shares)};
   for (std::size_t i = 0; i < scene.logs.size(); ++i)
     if (scene.logs[i].trimmed)
-      plot.series.push_back(histogram_series(name_of(kCeilings[i]) + " ceiling", *scene.logs[i].trimmed));
+      plot.series.push_back(histogram_series("ceiling " + name_of(kCeilings[i]), *scene.logs[i].trimmed));
   return {plot,
           fmt::format("{}: histogram of the middle key view before and after trimming, in {} bins; what is "
                       "missing was trimmed. A ceiling that ends in a linear mapping leaves no histogram",
@@ -139,7 +139,7 @@ ReproductionResult reproduce_trimming(Laboratory& laboratory) {
     for (std::size_t i = 0; i < scene.logs.size(); ++i) {
       add_pass_rows(result, scene, i, table);
       result.ours_shows +=
-          fmt::format("{}, {} ceiling: {}. ", scene.title, name_of(kCeilings[i]), log_text(scene.logs[i]));
+          fmt::format("{}, ceiling {}: {}. ", scene.title, name_of(kCeilings[i]), log_text(scene.logs[i]));
     }
     result.add_plot(scene.id + "-histogram", histogram_plot(scene));
   }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "metrics/consistency.h"
 
@@ -71,24 +70,13 @@ void add_passes(TrimmingConsistency& result, const HistogramParameters& curve) {
   result.linear_views += curve.linear ? 1 : 0;
 }
 
-/// Compares view `i` of a grid with those of its cells that were mapped before it.
-void compare_with_earlier(TrimmingConsistency& result, const Mapping& mapping,
-                          const std::vector<MappedKeyView>& views, std::size_t i, const ViewGrid& grid) {
-  const int columns = grid.columns, column = static_cast<int>(i) % columns,
-            row = static_cast<int>(i) / columns;
-  constexpr std::pair<int, int> kSteps[] = {{1, 0}, {0, 1}, {1, 1}, {-1, 1}};
-  for (const auto& [right, down] : kSteps) {
-    const int from_column = column - right, from_row = row - down;
-    if (from_column < 0 || from_column >= columns || from_row < 0) continue;
-    const MappedKeyView& from = views[static_cast<std::size_t>(from_row * columns + from_column)];
-    const ViewMotion motion{.x = static_cast<double>(right), .y = down * grid.vertical_ratio()};
-    ++result.cell_pairs;
-    if (from.curve.passes.size() != views[i].curve.passes.size())
-      result.different.push_back(mapping.compare_passes(from, views[i], motion));
-    if (right != 0 && down != 0) continue;
-    const NeighbourChange change = mapping.compare(from, views[i], motion);
-    if (change.pixels > 0) result.pairs.push_back(change);
-  }
+void compare_neighbours(TrimmingConsistency& result, const Mapping& mapping, const MappedKeyView& from,
+                        const MappedKeyView& to, const ViewMotion& motion) {
+  ++result.neighbours;
+  const NeighbourChange change = mapping.compare(from, to, motion);
+  if (change.pixels > 0) result.pairs.push_back(change);
+  if (from.curve.passes.size() != to.curve.passes.size())
+    result.different.push_back(mapping.compare_passes(from, to, motion));
 }
 
 }  // namespace
@@ -124,15 +112,20 @@ TrimmingConsistency measure_trimming_consistency(const ToneScene& scene, Histogr
   for (std::size_t i = 0; i < scene.views(); ++i) {
     views.push_back(mapping.map(i));
     add_passes(result, views.back().curve);
-    compare_with_earlier(result, mapping, views, i, grid);
-    if (i > columns) views[i - columns - 1] = {};  // compared with all others of its cells
+    if (i % columns > 0) compare_neighbours(result, mapping, views[i - 1], views[i], {.x = 1});
+    if (i < columns) continue;
+    compare_neighbours(result, mapping, views[i - columns], views[i], {.y = grid.vertical_ratio()});
+    views[i - columns] = {};  // compared with both of its neighbours
   }
   return result;
 }
 
-TrimmingConsistency count_trimming_passes(const ToneScene& scene, HistogramCeiling ceiling, int threads) {
-  const HistogramOptions options{.ceiling = ceiling};
-  TrimmingConsistency result{.scene = scene.id, .title = scene.title, .ceiling = ceiling};
+TrimmingConsistency count_trimming_passes(const ToneScene& scene, const HistogramOptions& options,
+                                          int threads) {
+  TrimmingConsistency result{.scene = scene.id,
+                             .title = scene.title,
+                             .ceiling = options.ceiling,
+                             .fixed_passes = options.fixed_passes};
   for (std::size_t i = 0; i < scene.views(); ++i)
     add_passes(result,
                fit(options, histogram_of_view(scene, i, options.bins, threads), scene.statistics.floor));

@@ -33,12 +33,11 @@ struct TrimmingConsistency {
   std::string scene, title;
   HistogramCeiling ceiling = HistogramCeiling::kPerceptual;
   std::optional<int> fixed_passes;
-  std::vector<std::size_t> passes;  ///< of each key view
-  std::size_t linear_views = 0;     ///< that were mapped linearly
-  std::vector<NeighbourChange> pairs;
-  /// Pairs of the key views of one cell, which a novel view blends: neighbours and diagonals; and those of
-  /// them whose numbers of passes differ.
-  std::size_t cell_pairs = 0;
+  std::vector<std::size_t> passes;     ///< of each key view
+  std::size_t linear_views = 0;        ///< that were mapped linearly
+  std::vector<NeighbourChange> pairs;  ///< neighbours with corresponding pixels
+  std::size_t neighbours = 0;  ///< pairs of views beside or below each other, with and without such pixels
+  /// Those of them whose numbers of passes differ.
   std::vector<DifferentPasses> different;
 
   /// Mean and largest added change of the pairs; 0 without pairs.
@@ -47,13 +46,13 @@ struct TrimmingConsistency {
 };
 
 /// Maps all key views and compares each with its right and lower neighbour, over pixels that correspond
-/// (change_along_lines); pairs without such pixels are left out. Where numbers of passes differ, also with
-/// the diagonal ones.
+/// (change_along_lines).
 TrimmingConsistency measure_trimming_consistency(const ToneScene& scene, HistogramCeiling ceiling,
                                                  std::optional<int> fixed_passes, int threads);
 
 /// Numbers of passes and linear views alone: no pairs.
-TrimmingConsistency count_trimming_passes(const ToneScene& scene, HistogramCeiling ceiling, int threads);
+TrimmingConsistency count_trimming_passes(const ToneScene& scene, const HistogramOptions& options,
+                                          int threads);
 
 /// A change of luma that is just visible on the display of the operator's defaults: one just noticeable
 /// difference at luma 0.5.

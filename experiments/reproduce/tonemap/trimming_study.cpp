@@ -49,22 +49,22 @@ void add_run_rows(ResultTable& rows, const TrimmingConsistency& run) {
     rows.add({quantity, static_cast<double>(count), "pairs", columns});
   };
   add_count("pairs", run.pairs.size());
-  add_count("cell_pairs", run.cell_pairs);
-  add_count("cell_pairs_with_different_passes", run.different.size());
-  add_count("cell_pairs_that_show_it", count_shown(run));
+  add_count("neighbours", run.neighbours);
+  add_count("neighbours_with_different_passes", run.different.size());
+  add_count("neighbours_that_show_it", count_shown(run));
 }
 
 ReportTable passes_table(const std::vector<TrimmingConsistency>& runs) {
-  ReportTable table{
-      "Numbers of trimming passes of all key views, and how many of these end linear",
-      {"scene", "ceiling", "passes", "linear views", "pairs in cells", "with different passes", "visibly"},
-      {},
-      3};
+  ReportTable table{"Numbers of trimming passes of all key views, and how many of these end linear",
+                    {"scene", "ceiling", "passes", "linear views", "pairs of neighbours",
+                     "with different passes", "visibly"},
+                    {},
+                    3};
   for (const TrimmingConsistency& run : runs) {
-    const bool compared = run.cell_pairs > 0;
+    const bool compared = run.neighbours > 0;
     const auto counted = [&](std::size_t n) { return compared ? Cell{static_cast<long long>(n)} : Cell{""}; };
     table.rows.push_back({run.title, name_of(run.ceiling), passes_text(run),
-                          static_cast<long long>(run.linear_views), counted(run.cell_pairs),
+                          static_cast<long long>(run.linear_views), counted(run.neighbours),
                           counted(run.different.size()), counted(count_shown(run))});
   }
   return table;

@@ -34,7 +34,7 @@ std::string passes_text(const TrimmingConsistency& run);
 
 /// Rows with the columns scene, ceiling and passes ("automatic" or the fixed number): trimming_passes of each
 /// view, linear_views and, where pairs were compared, mean_added_luma_change, largest_added_luma_change,
-/// pairs, cell_pairs, cell_pairs_with_different_passes, cell_pairs_that_show_it.
+/// pairs, neighbours, neighbours_with_different_passes, neighbours_that_show_it.
 void add_run_rows(ResultTable& rows, const TrimmingConsistency& run);
 
 ReportTable passes_table(const std::vector<TrimmingConsistency>& runs);

@@ -80,7 +80,7 @@ ToneScene far_scene(int dark_rows) {
 TEST(TrimmingConsistency, EqualViewsAddNoChange) {
   const auto run = measure_trimming_consistency(far_scene(0), HistogramCeiling::kPerceptual, std::nullopt, 1);
   ASSERT_EQ(run.pairs.size(), 1u);
-  EXPECT_EQ(run.cell_pairs, 1u);
+  EXPECT_EQ(run.neighbours, 1u);
   EXPECT_EQ(run.pairs[0].pixels, 32 * 32);
   EXPECT_EQ(run.largest_added(), 0);
   EXPECT_TRUE(run.different.empty());
@@ -95,7 +95,7 @@ TEST(TrimmingConsistency, ADifferentHistogramAddsAChange) {
 
 TEST(TrimmingConsistency, CountsTheSamePassesWithAndWithoutPairs) {
   const ToneScene scene = far_scene(20);
-  EXPECT_EQ(count_trimming_passes(scene, HistogramCeiling::kLinear, 1).passes,
+  EXPECT_EQ(count_trimming_passes(scene, {.ceiling = HistogramCeiling::kLinear}, 1).passes,
             measure_trimming_consistency(scene, HistogramCeiling::kLinear, std::nullopt, 1).passes);
 }
 
