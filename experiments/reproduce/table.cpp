@@ -15,7 +15,18 @@ ReproductionResult reproduce_water(Laboratory& laboratory);
 ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
 ReproductionResult reproduce_consistency_table(Laboratory& laboratory);
+ReproductionResult reproduce_response_curves(Laboratory& laboratory);
+ReproductionResult reproduce_trimming(Laboratory& laboratory);
+ReproductionResult reproduce_naive_edge(Laboratory& laboratory);
+ReproductionResult reproduce_naive_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_edge_without_foreground(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_edge(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_visibility_threshold(Laboratory& laboratory);
+ReproductionResult reproduce_numbers_of_trimmings(Laboratory& laboratory);
+ReproductionResult reproduce_adaptation_in_time(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
+ReproductionResult reproduce_tone_mapping_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
@@ -42,6 +53,8 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t12(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t13(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -64,8 +77,30 @@ std::span<const Reproduction> reproductions() {
                    reproduce_synthesis_quality},
       Reproduction{"tone-mapping-consistency", "Consistency of every operator over camera motions",
                    Chapter::kConsistency, reproduce_consistency_table},
+      Reproduction{"altmeier-fig-3", "Figure 3: response curves of Reinhard & Devlin", Chapter::kOperators,
+                   reproduce_response_curves},
+      Reproduction{"altmeier-fig-5", "Figure 5: trimming of the histogram", Chapter::kOperators,
+                   reproduce_trimming},
+      Reproduction{"altmeier-fig-21", "Figure 21: an edge through the naive bilateral operator",
+                   Chapter::kOperators, reproduce_naive_edge},
+      Reproduction{"altmeier-fig-22", "Figure 22: the naive bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_naive_bilateral_view},
+      Reproduction{"altmeier-fig-23", "Figure 23: an edge without foreground layer", Chapter::kOperators,
+                   reproduce_edge_without_foreground},
+      Reproduction{"altmeier-fig-24", "Figure 24: an edge through the enhanced bilateral operator",
+                   Chapter::kOperators, reproduce_enhanced_edge},
+      Reproduction{"altmeier-fig-25", "Figure 25: the enhanced bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_enhanced_bilateral_view},
+      Reproduction{"altmeier-fig-26", "Figure 26: the smallest visible difference", Chapter::kOperators,
+                   reproduce_visibility_threshold},
+      Reproduction{"altmeier-fig-27", "Figure 27: numbers of trimming passes", Chapter::kOperators,
+                   reproduce_numbers_of_trimmings},
+      Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
+                   Chapter::kConsistency, reproduce_adaptation_in_time},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
+      Reproduction{"sweep-tone-mapping", "Error against run time of tone mapping", Chapter::kSpeed,
+                   reproduce_tone_mapping_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
       Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
                    Chapter::kClaims, reproduce_claim_g1},
@@ -122,6 +157,12 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-t13", "Claim A-T13: a denser grid makes outliers worse", Chapter::kClaims,
                    reproduce_claim_t13},
       Reproduction{"altmeier-claim-t14", "Claim A-T14: fast motion", Chapter::kClaims, reproduce_claim_t14},
+      Reproduction{"altmeier-claim-t2",
+                   "Claim A-T2: the foreground layer returns part of the contrast across depth edges",
+                   Chapter::kClaims, reproduce_claim_t2},
+      Reproduction{"altmeier-claim-t3",
+                   "Claim A-T3: histogram adjustment is consistent in bright scenes, less so in dark ones",
+                   Chapter::kClaims, reproduce_claim_t3},
   };
   return kItems;
 }
