@@ -55,6 +55,7 @@ ReproductionResult reproduce_claim_t13(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
+ReproductionResult reproduce_robust_operator(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -95,6 +96,8 @@ std::span<const Reproduction> reproductions() {
                    reproduce_visibility_threshold},
       Reproduction{"altmeier-fig-27", "Figure 27: numbers of trimming passes", Chapter::kOperators,
                    reproduce_numbers_of_trimmings},
+      Reproduction{"robust-operator", "Beyond the thesis: an operator that adapts and does not flicker",
+                   Chapter::kConsistency, reproduce_robust_operator},
       Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
                    Chapter::kConsistency, reproduce_adaptation_in_time},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,

@@ -2,7 +2,11 @@
 // large-scale adaptation, loses sudden adaptation, leaves no visible border.
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+
 #include "experiments/reproduce/claims/claim_statistics.h"
+#include "experiments/reproduce/claims/probes.h"
 #include "experiments/reproduce/tonemap/claim_tools.h"
 #include "experiments/reproduce/tonemap/motion_measures.h"
 
@@ -17,6 +21,11 @@ constexpr double kHalf = 0.5;
 
 constexpr const char* kScenes[] = {"cellar", "dunes", "desk", "dominoes"};
 
+/// Where there is something to adapt to.
+bool lights_change(const std::string& scene) {
+  return scene == "cellar" || scene == "dunes";
+}
+
 /// Before and after adjustment, one value for each pair or line of all scenes.
 struct Series {
   std::vector<double> before, after;
@@ -25,6 +34,39 @@ struct Series {
     after.insert(after.end(), a.begin(), a.end());
   }
 };
+
+/// A wall seen by a row of 17 key views, as many as the thesis has, whose mapped brightness rises from the
+/// first to the last: how much of the rise between the ends the adjustment keeps, for several rises.
+std::vector<double> kept_over_17_views(int threads) {
+  constexpr int kColumns = 17;
+  const ViewGrid grid = probe_grid(kColumns, 1, 0.05, 96, 54);
+  const LightField hdr =
+      flat_light_field({.surfaces = {{.disparity_px = 2, .covers = {}, .colour = flat_pattern(12, 3)}}}, grid,
+                       "wall probe", threads);
+  std::vector<double> kept;
+  for (const float rise : {-0.4f, -0.2f, 0.2f, 0.4f}) {
+    std::vector<KeyView<DisplayReferred>> views;
+    std::array<double, 2> ends{};
+    for (int column = 0; column < kColumns; ++column) {
+      const auto view = hdr.view(column, 0);
+      DisplayImage mapped(grid.width, grid.height);
+      const float gain = 0.6f + rise * (static_cast<float>(column) / (kColumns - 1) - 0.5f);
+      for (std::size_t n = 0; n < mapped.size(); ++n) mapped.pixels()[n] = view->colour.pixels()[n] * gain;
+      views.push_back({std::move(mapped), view->disparity});
+    }
+    const double before = mean_luma(views.back().colour) - mean_luma(views.front().colour);
+    const auto keep_ends = [&](int column, int, const DisplayImage& view) {
+      if (column == 0) ends[0] = mean_luma(view);
+      if (column == kColumns - 1) ends[1] = mean_luma(view);
+    };
+    KeyViewAdjustmentRun run;
+    run.threads = threads;
+    adjust_key_views(hdr, DisplayLightField::from_views(grid, hdr.unit(), hdr.name(), std::move(views)), {},
+                     keep_ends, run);
+    kept.push_back((ends[1] - ends[0]) / before);
+  }
+  return kept;
+}
 
 struct AdjustmentNumbers {
   Series neighbours;  ///< brightness of neighbouring key views, those that differ visibly before
@@ -54,7 +96,8 @@ void measure_scene(MappingBench& bench, const std::string& scene, AdjustmentNumb
   const Neighbours along = vertical ? Neighbours::kDown : Neighbours::kAcross;
   const int far = (vertical ? field.grid().rows : field.grid().columns) - 1;
   append_visible(numbers.far, pairs(*before, along, far), pairs(*after, along, far));
-  numbers.sudden.append(largest_steps(bench, scene, naive), largest_steps(bench, scene, adjusted));
+  if (lights_change(scene))
+    numbers.sudden.append(largest_steps(bench, scene, naive), largest_steps(bench, scene, adjusted));
   for (const double step : border_steps(
            frame_inconsistencies(bench, scene, adjusted, mapping_for(bench, scene, Shown::kReinhardJoint),
                                  bench.views_in_cells(scene))))
@@ -97,7 +140,8 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
   const auto neighbours = mean_ratio(numbers.neighbours.after, numbers.neighbours.before, seed),
              far = mean_ratio(numbers.far.after, numbers.far.before, seed),
              sudden = mean_ratio(numbers.sudden.after, numbers.sudden.before, seed),
-             borders = mean_interval(numbers.border_steps, seed);
+             borders = mean_interval(numbers.border_steps, seed),
+             kept = mean_interval(kept_over_17_views(bench.threads()), seed);
   result.paper_shows =
       "Section 5.3 and figure 30: key-view adjustment makes neighbouring key views of naive Reinhard 2005 "
       "nearly "
@@ -105,15 +149,15 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
       "adaptation.";
   result.ours_shows = fmt::format(
       "After over before adjustment: differences of neighbouring key views {}, of key views at opposite ends "
-      "of "
-      "the grid {} (those that differ visibly before), largest change between frames {}. Steps across "
-      "borders of "
-      "visibility after adjustment: {} of luma.",
-      text_of(neighbours), text_of(far), text_of(sudden), text_of(borders));
+      "of our small grids {} (those that differ visibly before), largest change between frames {}. Of a "
+      "brightness that rises over 17 key views {} is kept. Steps across borders of visibility after "
+      "adjustment: {} of luma.",
+      text_of(neighbours), text_of(far), text_of(sudden), text_of(kept), text_of(borders));
   result.add_table(std::move(table));
   add_measured(result, "Adjusted over naive", "adjusted_over_naive", "1",
                {{"neighbouring key views", neighbours},
-                {"opposite ends of the grid", far},
+                {"opposite ends of the grid, 4 or 2 spacings", far},
+                {"opposite ends of 17 key views in a row", kept},
                 {"largest change between frames", sudden}});
   const std::vector<std::string> scenes(std::begin(kScenes), std::end(kScenes));
   const std::string pairs = "95 % bootstrap over pairs of key views";
@@ -124,15 +168,28 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
       {neighbours, Comparison::kBelow, kHalf, "adjusted_over_naive", "1", pairs, scenes,
        "Change of luma under the same light between neighbouring key views, of pairs that differ visibly; "
        "strongly means to less than half."});
-  add_claim(result,
-            {"A-T10b", "Altmeier 2018, section 5.3", "Key-view adjustment keeps large-scale adaptation."},
-            {far, Comparison::kAbove, kHalf, "adjusted_over_naive", "1", pairs, scenes,
-             "The same between key views at opposite ends of the grid; kept means more than half. The quick "
-             "preset's grids are 4 × 2 spacings, hardly more than the filter's σ of 2."});
   add_claim(
-      result, {"A-T10c", "Altmeier 2018, section 5.3", "Key-view adjustment loses sudden adaptation."},
-      {sudden, Comparison::kBelow, kHalf, "adjusted_over_naive", "1", "95 % bootstrap over lines of motion",
-       scenes, "Largest change of brightness from frame to frame; lost means to less than half."});
+      result, {"A-T10b", "Altmeier 2018, section 5.3", "Key-view adjustment keeps large-scale adaptation."},
+      {kept,
+       Comparison::kAbove,
+       kHalf,
+       "kept_share",
+       "1",
+       "95 % bootstrap over four rises of brightness",
+       {"wall probe, 17 key views in a row"},
+       "Share of a steady rise of brightness from the first to the last of 17 key views, as the thesis has "
+       "them, that the adjustment keeps; kept to a large extent means more than half. Our rendered grids of "
+       "4 spacings are hardly wider than the filter (σ of 2 spacings): there little is kept, see the "
+       "table."});
+  add_claim(result, {"A-T10c", "Altmeier 2018, section 5.3", "Key-view adjustment loses sudden adaptation."},
+            {sudden,
+             Comparison::kBelow,
+             kHalf,
+             "adjusted_over_naive",
+             "1",
+             "95 % bootstrap over lines of motion",
+             {"cellar", "dunes"},
+             "Largest change of brightness from frame to frame; lost means to less than half."});
   add_claim(result,
             {"A-T10d", "Altmeier 2018, section 5.3",
              "After key-view adjustment no borders of visibility are visible."},

@@ -68,7 +68,7 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
        1,
        "adaptation_range_ratio",
        "1",
-       "95 % bootstrap over 5 lines of motion",
+       "95 % bootstrap over 3 lines of motion",
        {kScene},
        "Range of the brightness of surfaces under unchanged light over the motion, adjusted over naive."});
   add_claim(result,
@@ -79,7 +79,7 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
              1,
              "largest_frame_step_ratio",
              "1",
-             "95 % bootstrap over 5 lines of motion",
+             "95 % bootstrap over 3 lines of motion",
              {kScene},
              "Largest change of brightness from frame to frame, statistics interpolated over naive."});
   result.differs = outcome_words(result);

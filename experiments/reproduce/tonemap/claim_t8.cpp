@@ -28,14 +28,14 @@ ReproductionResult reproduce_claim_t8(Laboratory& laboratory) {
       "statistics interpolated, brightness jumps when one is hidden; the naive variant changes gradually, as "
       "the weights of key views do; histogram adjustment and key-view adjustment stay consistent.";
   result.ours_shows = fmt::format(
-      "Largest change of brightness from one frame to the next along five lines over the Desk: statistics "
+      "Largest change of brightness from one frame to the next along three lines over the Desk: statistics "
       "interpolated {}, naive {}, histogram adjustment {}, key-view adjustment {} (luma of surfaces under "
       "unchanged light). One step of an 8-bit display is {:.4f}.",
       text_of(numbers[0].interval), text_of(numbers[1].interval), text_of(numbers[2].interval),
       text_of(numbers[3].interval), kSmallestStep);
   add_measured(result, "Largest change of brightness from frame to frame, Desk", "largest_frame_step", "luma",
                numbers);
-  const std::string uncertainty = "95 % bootstrap over 5 lines of motion";
+  const std::string uncertainty = "95 % bootstrap over 3 lines of motion";
   add_claim(result,
             {"A-T8a", "Altmeier 2018, section 6.2.2, figure 42",
              "With outliers the statistic-interpolating variant changes more abruptly than the naive one."},

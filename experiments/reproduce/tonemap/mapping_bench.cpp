@@ -20,7 +20,7 @@ constexpr int kFramesPerColumn = 10, kFramesPerRow = 20;
 Motion motion_over(const std::string& scene, const ViewGrid& grid, int line) {
   PLENOLAB_CHECK(line >= 0 && line < kMotionLines, std::to_string(line));
   const double last_column = grid.columns - 1, last_row = grid.rows - 1;
-  const double share = static_cast<double>(line) / (kMotionLines - 1);
+  const double share = (line + 1.0) / (kMotionLines + 1);
   if (scene == "dunes")
     return {.from = {share * last_column, 0},
             .to = {share * last_column, last_row},

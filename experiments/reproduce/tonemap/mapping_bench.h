@@ -12,8 +12,9 @@
 
 namespace plenolab {
 
-/// Parallel motions over each scene, from one side of the grid to the other, and the one in the middle.
-inline constexpr int kMotionLines = 5, kMiddleLine = 2;
+/// Parallel motions over each scene, from one side of the grid to the other: in the middle and halfway from
+/// there to either edge of the grid.
+inline constexpr int kMotionLines = 3, kMiddleLine = 1;
 
 /// The motion over a scene that the thesis' figures 42 to 44 use: along the middle row of key views, for the
 /// Dunes along the middle column (where the sun is hidden); ten frames a spacing (twenty along a column),
