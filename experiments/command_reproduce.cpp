@@ -5,6 +5,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/parallel.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
@@ -99,8 +100,11 @@ std::vector<FinishedReproduction> run_items(const std::vector<const Reproduction
 
 void write_everything(const std::vector<FinishedReproduction>& finished, const Laboratory& laboratory,
                       const Provenance& provenance, const fs::path& folder) {
-  for (const FinishedReproduction& f : finished)
-    if (f.failure.empty()) file_reproduction(f, folder);
+  // Side by side: plots wait for gnuplot.
+  parallel_for(static_cast<int>(finished.size()), 1, laboratory.options().threads, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      if (finished[i].failure.empty()) file_reproduction(finished[i], folder);
+  });
   write_text_file(folder / "rows.csv", to_csv(all_rows(finished)));
   write_report(assemble_report(finished, laboratory, provenance), folder / "report.html");
 }

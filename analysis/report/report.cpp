@@ -7,6 +7,7 @@
 #include "analysis/report/blocks.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/base/parallel.h"
 #include "report_assets.h"
 
 namespace plenolab {
@@ -70,15 +71,39 @@ std::string body_of(const ReportSection& section) {
   return html;
 }
 
-std::string contents_html(const std::vector<std::string>& titles) {
-  if (titles.empty()) return "<div></div>\n";
+/// A section's place in the contents.
+struct ContentsLine {
+  std::string chapter, title;
+};
+
+std::string contents_html(const std::vector<ContentsLine>& lines) {
+  if (lines.empty()) return "<div></div>\n";
   std::string html =
       "<nav class=\"toc\" aria-labelledby=\"contents\"><h2 id=\"contents\">Contents</h2><ol>\n";
-  for (std::size_t i = 0; i < titles.size(); ++i) {
-    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section_id(i + 1, titles[i]),
-                        escape_html(titles[i]));
+  std::string chapter;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].chapter != chapter && !lines[i].chapter.empty())
+      html += fmt::format("<li class=\"chapter\">{}</li>\n", escape_html(lines[i].chapter));
+    chapter = lines[i].chapter;
+    html += fmt::format("<li><a href=\"#{}\">{}</a></li>\n", section_id(i + 1, lines[i].title),
+                        escape_html(lines[i].title));
   }
   return html + "</ol></nav>\n";
+}
+
+std::string chapter_html(const std::string& chapter, const std::string& before) {
+  if (chapter.empty() || chapter == before) return "";
+  return fmt::format("<p class=\"chapter\">{}</p>\n", escape_html(chapter));
+}
+
+/// Bodies of all sections; those with plots wait for gnuplot, so they are made side by side.
+std::vector<std::string> bodies_of(const std::vector<ReportSection>& sections) {
+  std::vector<std::string> bodies(sections.size());
+  parallel_for(static_cast<int>(sections.size()), 1, 0, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      bodies[i] = body_of(sections[i]);
+  });
+  return bodies;
 }
 
 std::string masthead_html(const Report& report) {
@@ -97,15 +122,18 @@ std::string masthead_html(const Report& report) {
 }  // namespace
 
 std::string report_html(const Report& report) {
-  std::vector<std::string> titles;
-  std::string sections;
-  for (const ReportSection& section : report.sections) {
-    titles.push_back(section.title);
-    sections += section_html(titles.size(), section.title, body_of(section));
+  std::vector<ContentsLine> contents;
+  std::string sections, chapter;
+  const std::vector<std::string> bodies = bodies_of(report.sections);
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const ReportSection& section = report.sections[i];
+    contents.push_back({section.chapter, section.title});
+    sections += chapter_html(section.chapter, chapter) + section_html(i + 1, section.title, bodies[i]);
+    chapter = section.chapter;
   }
   if (report.provenance) {
-    titles.push_back("Provenance");
-    sections += section_html(titles.size(), titles.back(), detail::provenance_html(*report.provenance));
+    contents.push_back({"", "Provenance"});
+    sections += section_html(contents.size(), "Provenance", detail::provenance_html(*report.provenance));
   }
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
@@ -113,7 +141,7 @@ std::string report_html(const Report& report) {
          escape_html(report.title) + "</title>\n<style>\n" + asset(detail::kReportCss) +
          "</style>\n</head>\n<body>\n<a class=\"skip\" href=\"#main\">Skip to the content</a>\n<div "
          "class=\"page\">\n" +
-         masthead_html(report) + contents_html(titles) + "<main id=\"main\">\n" +
+         masthead_html(report) + contents_html(contents) + "<main id=\"main\">\n" +
          cards_html(report.key_figures) + sections + "</main>\n</div>\n<script>\n" +
          asset(detail::kReportJs) + "</script>\n</body>\n</html>\n";
 }

@@ -9,7 +9,7 @@ namespace plenolab {
 
 namespace {
 
-constexpr double kBegun = 0.1;
+constexpr double kBegun = 0.1 - 1e-9;  // rounding must not cost a frame
 constexpr std::ptrdiff_t kFewestFrames = 3;
 
 template <class Number>
