@@ -78,6 +78,7 @@ class FrameMapper {
     scope.statistics = evaluate(measure_view(*view.colour, threads()), statistics_.floor);
     scope.floor = statistics_.floor;
     scope.threads = threads();
+    scope.scale = statistics_.scale;
     const FittedOperator fitted = choice_.info->fit(choice_.variant.id, choice_.values, scope);
     frame.fit = {fitted.values, fitted.notes};
     take(fitted.apply(view, threads()), frame);

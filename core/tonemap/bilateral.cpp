@@ -21,8 +21,6 @@ namespace {
 constexpr int kRowGrain = 16;
 constexpr float kInverseGamma = 1 / 2.2f;
 constexpr int kBins = 1024;  // of a histogram of bases, for one log10 unit
-/// Range of the bases on the display where nothing else is asked for (Durand & Dorsey 2002: a contrast of 5).
-const double kTargetRange = std::log10(5.0);
 
 void check(bool good, const char* what, double value) {
   if (!good) throw InputError(fmt::format("{}, not {}", what, value));
@@ -121,8 +119,15 @@ void BilateralToneOptions::validate() const {
     check(*foreground_scale >= 0 && *foreground_scale <= 4, "the foreground scale must lie in [0, 4]",
           *foreground_scale);
   check(outliers >= 0 && outliers <= 0.2, "the share of outliers must lie in [0, 0.2]", outliers);
-  check(colour_exponent >= 0 && colour_exponent <= 1, "the colour exponent must lie in [0, 1]",
-        colour_exponent);
+  check(contrast >= 1.1 && contrast <= 1e6, "the contrast of bases must lie in [1.1, 1e6]", contrast);
+  if (colour_exponent)
+    check(*colour_exponent >= 0 && *colour_exponent <= 1, "the colour exponent must lie in [0, 1]",
+          *colour_exponent);
+}
+
+double colour_exponent_of(double compression) {
+  const double power = 1.48 * std::pow(compression, 0.82);
+  return (1 + 1 / 1.48) * power / (1 + power) / 2.2;
 }
 
 Plane<float> BilateralLayers::detail() const {
@@ -185,9 +190,11 @@ BilateralToneParameters fit(const BilateralToneOptions& options, const BaseRange
   BilateralToneParameters p;
   p.options = options;
   p.floor = floor;
-  p.compression = options.compression.value_or(range > kTargetRange ? kTargetRange / range : 1.0);
+  const double display_range = std::log10(options.contrast);
+  p.compression = options.compression.value_or(range > display_range ? display_range / range : 1.0);
   p.brightness = options.brightness.value_or(p.compression * bases.max);
   p.foreground_scale = options.foreground_scale.value_or(1 - p.compression);
+  p.colour_exponent = options.colour_exponent.value_or(colour_exponent_of(p.compression));
   return p;
 }
 
@@ -208,7 +215,7 @@ ToneMapped apply(const BilateralToneParameters& p, const SceneImage& view, const
     for (float& v : buffers.a) v *= kInverseGamma;  // gamma in the log domain
     exp10_row(buffers.a, buffers.a);
     for (const Rgb& c : scene) counts.floored_pixels += luminance(c) > 0 ? 0 : 1;
-    counts.clipped_high += apply_colour_ratio(scene, buffers.a, p.options.colour_exponent, out);
+    counts.clipped_high += apply_colour_ratio(scene, buffers.a, p.colour_exponent, out);
   };
   return map_rows(view, threads, body);
 }

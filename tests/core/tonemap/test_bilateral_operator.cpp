@@ -80,8 +80,10 @@ TEST(BilateralOperator, EnhancedEqualsNaiveBitByBitWithoutDepthEdges) {
     const BilateralToneParameters p = fit(o, range_of(measure_base(naive), o.outliers), 1e-3);
     EXPECT_EQ(
         apply(p, image, &flat).image,
-        apply(BilateralToneParameters{{.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale},
-              image, nullptr)
+        apply(
+            BilateralToneParameters{
+                {.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale, p.colour_exponent},
+            image, nullptr)
             .image);
   }
 }
@@ -105,6 +107,35 @@ TEST(BilateralOperator, AutomaticSettingsCompressTheBasesToAContrastOfFiveBelowW
   const BilateralToneParameters narrow = fit({}, BaseRange{1, 1.5}, 1e-2);
   EXPECT_EQ(narrow.compression, 1);
   EXPECT_EQ(fit({}, BaseRange{1, 1}, 1e-2).compression, 1);
+}
+
+TEST(BilateralOperator, TheContrastOfBasesCanBeChosen) {
+  EXPECT_NEAR(fit({.contrast = 50}, BaseRange{-2, 3}, 1e-2).compression, std::log10(50) / 5, 1e-15);
+  EXPECT_EQ(fit({.contrast = 50, .compression = 0.3}, BaseRange{-2, 3}, 1e-2).compression, 0.3);
+}
+
+TEST(BilateralOperator, ColoursLoseSaturationWithCompressionAndKeepLinearRatiosWithoutIt) {
+  EXPECT_NEAR(colour_exponent_of(1), 1 / 2.2, 1e-12);
+  double previous = 0;
+  for (const double compression : {0.05, 0.1, 0.3, 0.6, 0.9, 1.0}) {
+    EXPECT_GT(colour_exponent_of(compression), previous);
+    previous = colour_exponent_of(compression);
+  }
+  EXPECT_EQ(fit({.colour_exponent = 0.7}, BaseRange{-2, 3}, 1e-2).colour_exponent, 0.7);
+  EXPECT_EQ(fit({}, BaseRange{-2, 3}, 1e-2).colour_exponent, colour_exponent_of(std::log10(5) / 5));
+}
+
+TEST(BilateralOperator, ADarkSaturatedColourBesideALightIsNotCutWithAutomaticSettings) {
+  const SceneImage image = image_of(64, 8, [](int x, int) {
+    return x < 32 ? Rgb{1e-3f, 1e-4f, 1e-4f} : Rgb{100, 100, 100};
+  });
+  const auto clipped = [&](std::optional<double> exponent) {
+    const BilateralToneOptions o{.exact = true, .colour_exponent = exponent};
+    const BaseHistogram bases = measure_base(bilateral_layers(o, image, nullptr, 1e-4));
+    return apply(fit(o, range_of(bases, o.outliers), 1e-4), image, nullptr).counts.clipped_high;
+  };
+  EXPECT_EQ(clipped(std::nullopt), 0);
+  EXPECT_GT(clipped(0.7), 0);
 }
 
 TEST(BilateralOperator, LayersAddUpToTheLogLuminance) {
@@ -170,6 +201,8 @@ TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
   EXPECT_THROW((BilateralToneOptions{.sigma_s_share = 0}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.sigma_log10 = -1}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.compression = 1.5}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.contrast = 1}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.colour_exponent = 1.5}.validate()), InputError);
   for (const double outliers : {-0.1, 0.3, std::nan("")})
     EXPECT_THROW((BilateralToneOptions{.outliers = outliers}.validate()), InputError) << outliers;
   EXPECT_THROW((BilateralToneOptions{.foreground_scale = -1}.validate()), InputError);

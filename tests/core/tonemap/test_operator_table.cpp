@@ -249,5 +249,42 @@ TEST(OperatorTable, FramesAdaptInTimeAndForgetAtACut) {
   }
 }
 
+TEST(OperatorTable, TheUnitOfRelativeRadianceDoesNotMatterAndThatOfDeclaredRadianceDoes) {
+  const SceneImage image = random_scene(48, 32, 5);
+  SceneImage brighter = image;
+  for (Rgb& c : brighter.pixels()) c = 1024.0f * c;
+  const auto map = [](const OperatorInfo& info, const SceneImage& view, std::optional<double> unit) {
+    const OperatorView shown{std::make_shared<SceneImage>(view), nullptr};
+    return info.fit("naive", {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
+  };
+  const auto largest_difference = [](const DisplayImage& a, const DisplayImage& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      most = std::max(most, std::abs(luminance(a.pixels()[i]) - luminance(b.pixels()[i])));
+    return most;
+  };
+  for (const char* id : {"histogram", "reinhard05"}) {
+    const OperatorInfo& info = find_operator(id);
+    EXPECT_LT(largest_difference(map(info, image, std::nullopt), map(info, brighter, std::nullopt)), 0.002f)
+        << id;
+    EXPECT_GT(largest_difference(map(info, image, 1.0), map(info, brighter, 1.0)), 0.05f) << id;
+    EXPECT_LT(largest_difference(map(info, image, 1024.0), map(info, brighter, 1.0)), 0.002f) << id;
+  }
+}
+
+TEST(OperatorTable, AUnitThatIsSetIsTakenWhateverIsDeclared) {
+  const SceneImage image = random_scene(24, 16, 5);
+  const OperatorView view{std::make_shared<SceneImage>(image), nullptr};
+  for (const auto& [id, name] : {std::pair{"histogram", "unit"}, std::pair{"reinhard05", "exposure"}}) {
+    const OperatorInfo& info = find_operator(id);
+    const SettingValues set{{name, {.number = 3}}};
+    const auto map = [&](const SettingValues& values, std::optional<double> unit) {
+      return info.fit("naive", values, scope_of_image(view, 1, unit)).apply(view, 1).image;
+    };
+    EXPECT_EQ(map(set, std::nullopt), map(set, 1.0)) << id;
+    EXPECT_EQ(map(set, std::nullopt), map({}, 3.0)) << id;
+  }
+}
+
 }  // namespace
 }  // namespace plenolab
