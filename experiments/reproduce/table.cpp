@@ -16,6 +16,10 @@ ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
+ReproductionResult reproduce_flattened_outdoors(Laboratory& laboratory);
+ReproductionResult reproduce_unused_range(Laboratory& laboratory);
+ReproductionResult reproduce_dark_floor(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t11(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g3(Laboratory& laboratory);
@@ -50,6 +54,12 @@ std::span<const Reproduction> reproductions() {
                    reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
+      Reproduction{"altmeier-fig-45", "Figure 45: histogram adjustment between indoors and outdoors",
+                   Chapter::kOperators, reproduce_flattened_outdoors},
+      Reproduction{"altmeier-fig-46", "Figure 46: bilateral filtering leaves range unused",
+                   Chapter::kOperators, reproduce_unused_range},
+      Reproduction{"altmeier-fig-47", "Figure 47: Reinhard 2005 beside direct sun", Chapter::kOperators,
+                   reproduce_dark_floor},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
@@ -86,6 +96,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-a6",
                    "Claim A-A6: linear border gradients leave edges, printed ones do not", Chapter::kClaims,
                    reproduce_claim_a6},
+      Reproduction{"altmeier-claim-t11", "Claim A-T11: where each operator fails", Chapter::kClaims,
+                   reproduce_claim_t11},
   };
   return kItems;
 }
