@@ -93,6 +93,7 @@ struct FrameInput {
 struct FrameState {
   Adapted<ImageStatistics> statistics;
   Adapted<double> limit_min, limit_max;  ///< of the normalisation, Reinhard & Devlin only
+  Adapted<double> log_eye_average;       ///< of the frame, robust adaptive only
 };
 
 struct MappedFrame {

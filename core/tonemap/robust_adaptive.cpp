@@ -19,6 +19,9 @@ void check_share(const char* name, double value) {
 }
 
 constexpr double kLargestContrast = 0.9;
+/// Views under even light, with small bright surfaces, have their arithmetic mean up to a decade above the
+/// log average; more takes a light source.
+constexpr double kWithoutGlare_log10 = 1;
 
 /// Moves the lumas of the knots together around their centre where they would rise too fast.
 void limit_slope(double most, RobustAdaptiveParameters& p) {
@@ -26,6 +29,14 @@ void limit_slope(double most, RobustAdaptiveParameters& p) {
   const double centre = (p.luma_low + p.luma_high) / 2;
   p.luma_low = centre - most / 2;
   p.luma_high = centre + most / 2;
+}
+
+/// Lowers everything between the knots by log10 units of display luminance.
+void dim(double by_log10, RobustAdaptiveParameters& p) {
+  p.dimming = by_log10;
+  const double factor = std::pow(10, -by_log10 / 2.2);
+  p.luma_low *= factor;
+  p.luma_high *= factor;
 }
 
 ThreeLines lines_of(const RobustAdaptiveParameters& p) {
@@ -42,9 +53,17 @@ void RobustAdaptiveOptions::validate() const {
   if (!(max_slope >= 0.05 && max_slope <= 10))
     throw InputError(
         fmt::format("the largest slope must lie in [0.05, 10] luma per log10 unit, not {}", max_slope));
+  if (!(glare >= 0 && glare <= 0.5))
+    throw InputError(
+        fmt::format("the effect of glare must lie in [0, 0.5] log10 units a decade, not {}", glare));
 }
 
-RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageStatistics& s) {
+double log_eye_average(double eye_average, const ImageStatistics& statistics) {
+  return eye_average > 0 ? std::log10(eye_average) : statistics.log_robust_average;
+}
+
+RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageStatistics& s,
+                             double log_eye_average) {
   options.validate();
   RobustAdaptiveParameters p;
   // Within the range of float; statistics beyond 1e±37 keep their ratio to each other.
@@ -60,6 +79,7 @@ RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageSt
   p.knot_low = respond_to_grey(p.receptor, std::pow(10.0, s.log_p1));
   p.knot_high = respond_to_grey(p.receptor, std::pow(10.0, s.log_p99));
   limit_slope(options.max_slope * (s.log_p99 - s.log_p1), p);
+  dim(options.glare * std::max(0.0, log_eye_average - s.log_robust_average - kWithoutGlare_log10), p);
   return p;
 }
 

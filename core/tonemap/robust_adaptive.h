@@ -15,9 +15,15 @@ namespace plenolab {
 ///    high = 1 − shoulder. Nothing is clipped. Between the percentiles luma rises by at most `max_slope` per
 ///    log10 unit on average (low and high move together around their centre instead), so that a flat view
 ///    does not become noise;
-///  - m is at most 0.9: at 1 the curve would no longer tell luminances apart.
-/// Fitted to statistics of key views blended bilinearly and adapted in time (adaptation.h), it follows
-/// changes of light that fill more than a percent of the view, with the time constant of the eye.
+///  - m is at most 0.9: at 1 the curve would no longer tell luminances apart;
+///  - light sources too small for percentiles are not forgotten: where the light at the eye (eye_average,
+///  which
+///    leaves out glints and noise) exceeds the log average by more than a decade, everything up to the 99th
+///    percentile is shown darker by `glare` log10 units for each further decade, as behind a pupil that
+///    closes; what is brighter stays.
+/// Frames take percentiles from the key views, blended bilinearly, and the light at the eye from the frame
+/// itself, both adapted in time (adaptation.h): the operator follows light that fills more than a percent of
+/// the view as the camera moves, and the sun when it appears, with the time constant of the eye.
 ///
 /// Input: scene-referred, any unit. Output: display values in [0, 1]. Every channel by the same curve of C
 /// and I_a; V(p) is the response to grey of luminance p.
@@ -28,6 +34,7 @@ struct RobustAdaptiveOptions {
   double toe = 0.03;             ///< luma of the first percentile, [0, 0.4]
   double shoulder = 0.08;        ///< luma kept for what is above the 99th, [0, 0.4]
   double max_slope = 1;          ///< luma per log10 unit of luminance, [0.05, 10]
+  double glare = 0.05;  ///< log10 units of display luminance per decade of light at the eye, [0, 0.5]
   void validate() const;
 };
 
@@ -35,9 +42,14 @@ struct RobustAdaptiveParameters {
   Photoreceptor receptor;               ///< its exposure is 1 / average
   double knot_low = 0, luma_low = 0;    ///< V and luma of the lower knot
   double knot_high = 1, luma_high = 1;  ///< V and luma of the upper knot
+  double dimming = 0;                   ///< by glare, log10 units of display luminance, ≥ 0
 };
 
-RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageStatistics& statistics);
+/// log10 of an eye_average, for statistics of the same view or views: of a black one, that of its statistics.
+double log_eye_average(double eye_average, const ImageStatistics& statistics);
+
+RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageStatistics& statistics,
+                             double log_eye_average);
 ToneMapped apply(const RobustAdaptiveParameters& parameters, const SceneImage& view, int threads = 0);
 
 }  // namespace plenolab

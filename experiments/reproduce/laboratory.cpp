@@ -6,6 +6,7 @@
 
 #include "analysis/timing.h"
 #include "core/base/parallel.h"
+#include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
@@ -40,6 +41,11 @@ std::vector<CameraPosition> scored_positions(const ViewGrid& grid) {
 
 Laboratory::Laboratory(LaboratoryOptions options) : options_(std::move(options)) {}
 Laboratory::~Laboratory() = default;
+
+MappingBench& Laboratory::mapping_bench() {
+  if (!mapping_bench_) mapping_bench_ = std::make_unique<MappingBench>(*this);
+  return *mapping_bench_;
+}
 
 std::vector<std::string> Laboratory::scene_ids() const {
   return {"cellar", "cellar-shafts", "tunnel", "tree", "boats"};

@@ -14,6 +14,8 @@
 
 namespace plenolab {
 
+class MappingBench;
+
 /// How large a reproduction is run.
 enum class Effort {
   kTiny,   ///< a check that everything works: 3×3 views of 96 px, noisy; its numbers mean nothing
@@ -80,6 +82,9 @@ class Laboratory {
   /// The probe grid for this effort: `grid` itself, or a third of its image size in a tiny run.
   ViewGrid scaled(ViewGrid grid) const;
 
+  /// What the items on tone mapping share (experiments/reproduce/tonemap).
+  MappingBench& mapping_bench();
+
   const RenderingTally& tally() const { return tally_; }
 
  private:
@@ -94,6 +99,7 @@ class Laboratory {
   LaboratoryOptions options_;
   std::map<std::string, std::unique_ptr<SceneState>> scenes_;
   std::map<std::string, PreparedScene> prepared_variants_;
+  std::unique_ptr<MappingBench> mapping_bench_;
   std::mutex tally_mutex_;
   RenderingTally tally_;
 };

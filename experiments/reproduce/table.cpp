@@ -14,7 +14,19 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory);
 ReproductionResult reproduce_water(Laboratory& laboratory);
 ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
+ReproductionResult reproduce_consistency_table(Laboratory& laboratory);
+ReproductionResult reproduce_response_curves(Laboratory& laboratory);
+ReproductionResult reproduce_trimming(Laboratory& laboratory);
+ReproductionResult reproduce_naive_edge(Laboratory& laboratory);
+ReproductionResult reproduce_naive_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_edge_without_foreground(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_edge(Laboratory& laboratory);
+ReproductionResult reproduce_enhanced_bilateral_view(Laboratory& laboratory);
+ReproductionResult reproduce_visibility_threshold(Laboratory& laboratory);
+ReproductionResult reproduce_numbers_of_trimmings(Laboratory& laboratory);
+ReproductionResult reproduce_adaptation_in_time(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
+ReproductionResult reproduce_tone_mapping_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
 ReproductionResult reproduce_flattened_outdoors(Laboratory& laboratory);
 ReproductionResult reproduce_unused_range(Laboratory& laboratory);
@@ -34,6 +46,19 @@ ReproductionResult reproduce_claim_a3(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_a6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t7(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t8(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t9(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t10(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t12(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t13(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -54,14 +79,38 @@ std::span<const Reproduction> reproductions() {
                    reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
+      Reproduction{"tone-mapping-consistency", "Consistency of every operator over camera motions",
+                   Chapter::kConsistency, reproduce_consistency_table},
+      Reproduction{"altmeier-fig-3", "Figure 3: response curves of Reinhard & Devlin", Chapter::kOperators,
+                   reproduce_response_curves},
+      Reproduction{"altmeier-fig-5", "Figure 5: trimming of the histogram", Chapter::kOperators,
+                   reproduce_trimming},
+      Reproduction{"altmeier-fig-21", "Figure 21: an edge through the naive bilateral operator",
+                   Chapter::kOperators, reproduce_naive_edge},
+      Reproduction{"altmeier-fig-22", "Figure 22: the naive bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_naive_bilateral_view},
+      Reproduction{"altmeier-fig-23", "Figure 23: an edge without foreground layer", Chapter::kOperators,
+                   reproduce_edge_without_foreground},
+      Reproduction{"altmeier-fig-24", "Figure 24: an edge through the enhanced bilateral operator",
+                   Chapter::kOperators, reproduce_enhanced_edge},
+      Reproduction{"altmeier-fig-25", "Figure 25: the enhanced bilateral operator on a key view",
+                   Chapter::kOperators, reproduce_enhanced_bilateral_view},
+      Reproduction{"altmeier-fig-26", "Figure 26: the smallest visible difference", Chapter::kOperators,
+                   reproduce_visibility_threshold},
+      Reproduction{"altmeier-fig-27", "Figure 27: numbers of trimming passes", Chapter::kOperators,
+                   reproduce_numbers_of_trimmings},
       Reproduction{"altmeier-fig-45", "Figure 45: histogram adjustment between indoors and outdoors",
                    Chapter::kOperators, reproduce_flattened_outdoors},
       Reproduction{"altmeier-fig-46", "Figure 46: bilateral filtering leaves range unused",
                    Chapter::kOperators, reproduce_unused_range},
       Reproduction{"altmeier-fig-47", "Figure 47: Reinhard 2005 beside direct sun", Chapter::kOperators,
                    reproduce_dark_floor},
+      Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
+                   Chapter::kConsistency, reproduce_adaptation_in_time},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
+      Reproduction{"sweep-tone-mapping", "Error against run time of tone mapping", Chapter::kSpeed,
+                   reproduce_tone_mapping_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
       Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
                    Chapter::kClaims, reproduce_claim_g1},
@@ -96,8 +145,36 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-a6",
                    "Claim A-A6: linear border gradients leave edges, printed ones do not", Chapter::kClaims,
                    reproduce_claim_a6},
+      Reproduction{"altmeier-claim-t1", "Claim A-T1: Cornsweet profiles at borders of visibility",
+                   Chapter::kClaims, reproduce_claim_t1},
+      Reproduction{"altmeier-claim-t4",
+                   "Claim A-T4: naive Reinhard 2005 differs between neighbouring key views", Chapter::kClaims,
+                   reproduce_claim_t4},
+      Reproduction{"altmeier-claim-t5", "Claim A-T5: stable highlights and gradual change leave no steps",
+                   Chapter::kClaims, reproduce_claim_t5},
+      Reproduction{"altmeier-claim-t6", "Claim A-T6: joint statistics remove inconsistency and adaptation",
+                   Chapter::kClaims, reproduce_claim_t6},
+      Reproduction{"altmeier-claim-t7", "Claim A-T7: mapping after synthesis is consistent inside the view",
+                   Chapter::kClaims, reproduce_claim_t7},
+      Reproduction{"altmeier-claim-t8", "Claim A-T8: outliers over time", Chapter::kClaims,
+                   reproduce_claim_t8},
+      Reproduction{"altmeier-claim-t9", "Claim A-T9: adaptation before and at the event", Chapter::kClaims,
+                   reproduce_claim_t9},
+      Reproduction{"altmeier-claim-t10", "Claim A-T10: what key-view adjustment lowers, keeps and loses",
+                   Chapter::kClaims, reproduce_claim_t10},
       Reproduction{"altmeier-claim-t11", "Claim A-T11: where each operator fails", Chapter::kClaims,
                    reproduce_claim_t11},
+      Reproduction{"altmeier-claim-t12", "Claim A-T12: adaptation to the sun of the Dunes", Chapter::kClaims,
+                   reproduce_claim_t12},
+      Reproduction{"altmeier-claim-t13", "Claim A-T13: a denser grid makes outliers worse", Chapter::kClaims,
+                   reproduce_claim_t13},
+      Reproduction{"altmeier-claim-t14", "Claim A-T14: fast motion", Chapter::kClaims, reproduce_claim_t14},
+      Reproduction{"altmeier-claim-t2",
+                   "Claim A-T2: the foreground layer returns part of the contrast across depth edges",
+                   Chapter::kClaims, reproduce_claim_t2},
+      Reproduction{"altmeier-claim-t3",
+                   "Claim A-T3: histogram adjustment is consistent in bright scenes, less so in dark ones",
+                   Chapter::kClaims, reproduce_claim_t3},
   };
   return kItems;
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/tonemap/eye_average.h"
 #include "core/tonemap/reinhard_devlin.h"
 #include "core/tonemap/robust_adaptive.h"
 #include "tests/core/tonemap/tone_images.h"
@@ -15,8 +16,13 @@ ImageStatistics statistics_of(const SceneImage& image) {
   return evaluate(s, log_floor(s));
 }
 
+RobustAdaptiveParameters fitted(const SceneImage& image) {
+  const ImageStatistics statistics = statistics_of(image);
+  return fit(RobustAdaptiveOptions{}, statistics, log_eye_average(eye_average(image), statistics));
+}
+
 DisplayImage mapped(const SceneImage& image) {
-  return apply(fit(RobustAdaptiveOptions{}, statistics_of(image)), image).image;
+  return apply(fitted(image), image).image;
 }
 
 /// Naive Reinhard & Devlin of the same image, for comparison.
@@ -30,6 +36,12 @@ double mean_change(const DisplayImage& a, const DisplayImage& b) {
   for (std::size_t i = 0; i < a.size(); ++i)
     sum += std::abs(static_cast<double>(a.pixels()[i].g) - static_cast<double>(b.pixels()[i].g));
   return sum / static_cast<double>(a.size());
+}
+
+double mean_green(const DisplayImage& image) {
+  double sum = 0;
+  for (const Rgb& c : image.pixels()) sum += static_cast<double>(c.g);
+  return sum / static_cast<double>(image.size());
 }
 
 TEST(RobustAdaptive, AFewOutliersHardlyChangeItWhileTheyChangeReinhardDevlin) {
@@ -51,10 +63,40 @@ TEST(RobustAdaptive, FollowsLightThatFillsAFewPercentOfTheView) {
   EXPECT_GT(mapped(image).at(40, 40).g, mapped(window).at(40, 40).g);
 }
 
+TEST(RobustAdaptive, FollowsASunOfAFewPixelsButNoSpecks) {
+  const SceneImage image = random_scene(64, 48, 2, 10);
+  SceneImage sun = image, specks = image;
+  for (int i = 0; i < 4; ++i) sun.at(20 + i % 2, 20 + i / 2) = {1e8f, 1e8f, 1e8f};  // 0.13 % of the view
+  for (int i = 0; i < 4; ++i) specks.at(10 * i, 20) = {1e8f, 1e8f, 1e8f};
+  EXPECT_LT(mean_green(mapped(sun)), mean_green(mapped(image)) - 0.03);
+  EXPECT_NEAR(mean_green(mapped(specks)), mean_green(mapped(image)), 0.01);
+  EXPECT_GT(mapped(sun).at(20, 20).g, 0.95f);
+}
+
+TEST(EyeAverage, IsTheMeanOfSmoothViewsAndCountsCompactSourcesWhole) {
+  const SceneImage ramp = grey_image(9, 7, [](int x, int y) { return 1.0f + static_cast<float>(x + y); });
+  EXPECT_NEAR(eye_average(ramp), 8, 0.05);  // the two brightest corners count as their neighbours
+  SceneImage source = grey_image(10, 10, [](int, int) { return 0.0f; });
+  for (int x = 4; x < 7; ++x) source.at(x, 5) = {100, 100, 100};
+  EXPECT_NEAR(eye_average(source), 1, 1e-5);  // the ends of a line see only two of its pixels
+  source.at(4, 6) = source.at(5, 6) = source.at(6, 6) = {100, 100, 100};
+  EXPECT_NEAR(eye_average(source), 6, 1e-5);
+}
+
+TEST(EyeAverage, LeavesOutOneOrTwoPixelsOfAnySizeAndRepairsDefects) {
+  SceneImage image = grey_image(12, 10, [](int, int) { return 2.0f; });
+  image.at(5, 5) = image.at(6, 5) = image.at(0, 0) = {1e30f, 1e30f, 1e30f};
+  image.at(9, 8) = {INFINITY, NAN, -1};
+  EXPECT_NEAR(eye_average(image), 2, 1e-5);
+  EXPECT_EQ(eye_average(SceneImage(3, 3)), 0);
+  EXPECT_EQ(eye_average(SceneImage()), 0);
+  EXPECT_NEAR(eye_average(grey_image(1, 1, [](int, int) { return 3.0f; })), 3, 1e-5);
+}
+
 TEST(RobustAdaptive, PercentilesGetTheLumaOfToeAndShoulderAndNothingIsClipped) {
   const SceneImage image =
       grey_image(1000, 1, [](int x, int) { return static_cast<float>(std::pow(10, 3.0 * x / 999)); });
-  const ToneMapped out = apply(fit(RobustAdaptiveOptions{}, statistics_of(image)), image);
+  const ToneMapped out = apply(fitted(image), image);
   EXPECT_NEAR(out.image.at(10, 0).g, 0.03, 0.003);
   EXPECT_NEAR(out.image.at(989, 0).g, 0.92, 0.003);
   EXPECT_LT(out.image.at(999, 0).g, 1);
@@ -88,6 +130,7 @@ TEST(RobustAdaptive, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW((RobustAdaptiveOptions{.toe = 0.5}.validate()), InputError);
   EXPECT_THROW((RobustAdaptiveOptions{.shoulder = -0.1}.validate()), InputError);
   EXPECT_THROW((RobustAdaptiveOptions{.max_slope = 0}.validate()), InputError);
+  EXPECT_THROW((RobustAdaptiveOptions{.glare = -0.1}.validate()), InputError);
 }
 
 }  // namespace
