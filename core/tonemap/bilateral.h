@@ -18,7 +18,8 @@ namespace plenolab {
 /// units). Output: display values in [0, 1]. With I = log10 L and base = bilateral(I; σ_s, σ_l):
 ///   naive      log10 L_target = base·compression + (I − base) − brightness
 ///   enhanced   log10 L_target = base_m·compression + foreground·scale + (I − base_m) − brightness,
-/// luma = L_target^(1/2.2), then apply_colour_ratio. base_m takes nothing across depth edges; foreground =
+/// luma = L_target^(1/2.2), then apply_colour_ratio. Where compression is 1 and nothing of the foreground is
+/// added, log10 L_target = I − brightness exactly. base_m takes nothing across depth edges; foreground =
 /// base_m − temporary, where the temporary layer lets foreground pixels take from the background and not the
 /// other way round: W'_d = G(max(disp(q) − disp(p), 0)). Slip of the thesis corrected: it prints p and q the
 /// other way round, against its own text, which puts the half profile on the background.
@@ -39,6 +40,9 @@ struct BilateralToneOptions {
   double outliers = 0.01;
   /// [0, 1]; absent: colour_exponent_of(compression).
   std::optional<double> colour_exponent;
+  /// Whether stages that cannot change the result are left out: the depth weights and the foreground layer
+  /// where all disparities are equal, the base layer where compression is 1. False computes them, to compare.
+  bool prune = true;
   void validate() const;
 };
 
@@ -59,9 +63,10 @@ struct BilateralLayers {
 
 /// Computes the layers of a view. `floor` > 0 stands for luminance 0 (log_floor of the light field).
 /// `disparity` of the same size is required by the enhanced operator and unused by the naive one; InputError
-/// otherwise.
+/// otherwise. `foreground` false leaves the foreground layer empty: fits look at the base alone.
 BilateralLayers bilateral_layers(const BilateralToneOptions& options, const SceneImage& view,
-                                 const DisparityMap* disparity, double floor, int threads = 0);
+                                 const DisparityMap* disparity, double floor, int threads = 0,
+                                 bool foreground = true);
 
 /// A range of base values, log10 units.
 struct BaseRange {

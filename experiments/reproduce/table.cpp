@@ -32,6 +32,8 @@ ReproductionResult reproduce_flattened_outdoors(Laboratory& laboratory);
 ReproductionResult reproduce_unused_range(Laboratory& laboratory);
 ReproductionResult reproduce_dark_floor(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t11(Laboratory& laboratory);
+ReproductionResult reproduce_pruning_tone_mapping(Laboratory& laboratory);
+ReproductionResult reproduce_claim_s1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g3(Laboratory& laboratory);
@@ -112,6 +114,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"sweep-tone-mapping", "Error against run time of tone mapping", Chapter::kSpeed,
                    reproduce_tone_mapping_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
+      Reproduction{"pruning-tone-mapping", "What tone mapping left out, and what that saved", Chapter::kSpeed,
+                   reproduce_pruning_tone_mapping},
       Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
                    Chapter::kClaims, reproduce_claim_g1},
       Reproduction{"altmeier-claim-g2",
@@ -175,6 +179,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-t3",
                    "Claim A-T3: histogram adjustment is consistent in bright scenes, less so in dark ones",
                    Chapter::kClaims, reproduce_claim_t3},
+      Reproduction{"altmeier-claim-s1", "Claim A-S1: which stages are interactive, which run in real time",
+                   Chapter::kClaims, reproduce_claim_s1},
   };
   return kItems;
 }

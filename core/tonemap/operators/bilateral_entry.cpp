@@ -55,7 +55,7 @@ BaseRange base_range(const BilateralToneOptions& options, const FitScope& scope)
   const auto measure = [&](int i) {
     const OperatorView view = scope.load(i);
     return measure_base(
-        bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads));
+        bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads, false));
   };
   BaseHistogram all = measure(0);
   for (int i = 1; i < scope.views; ++i) all = merge(std::move(all), measure(i));

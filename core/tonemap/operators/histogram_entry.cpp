@@ -69,6 +69,10 @@ LogHistogram histogram_of_scope(const HistogramOptions& options, const FitScope&
     return measure_histogram(*scope.load(view).colour, scope.floor, scope.statistics.log_min,
                              scope.statistics.log_max, options.bins, scope.threads);
   };
+  // A range that fits the display is mapped linearly whatever the histogram, so no view is read for it.
+  if (fits_display(options, scope.statistics.log_min, scope.statistics.log_max))
+    return {scope.statistics.log_min, scope.statistics.log_max,
+            std::vector<double>(static_cast<std::size_t>(options.bins), 0.0)};
   LogHistogram all = measure(0);
   for (int i = 1; i < scope.views; ++i) all = merge(all, measure(i));
   return all;

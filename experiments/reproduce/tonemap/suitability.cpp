@@ -168,15 +168,15 @@ Mask both(const Mask& a, const Mask& b) {
                     [&](std::size_t i) { return a.pixels()[i] != 0 || b.pixels()[i] != 0; });
 }
 
-Spread spread_in(const Plane<float>& values, const Mask& mask, double p) {
+ToneSpread spread_in(const Plane<float>& values, const Mask& mask, double p) {
   const std::vector<double> sorted = sorted_values(values, mask);
   if (sorted.empty()) return {};
   const auto at = [&](double q) { return quantile_of_sorted(std::span(sorted), q); };
   return {at(p), at(0.5), at(1 - p)};
 }
 
-Region region_of(const SectionView& view, Mask mask, double tail) {
-  const Spread log_luminance = spread_in(view.log_luminance, mask, tail);
+ToneRegion region_of(const SectionView& view, Mask mask, double tail) {
+  const ToneSpread log_luminance = spread_in(view.log_luminance, mask, tail);
   return {std::move(mask), tail, log_luminance};
 }
 
@@ -184,7 +184,7 @@ double relative_contrast(double luma, double log_luminance, const SectionView& v
   return log_luminance != 0 ? luma * view.log_range() / log_luminance : 0;
 }
 
-double contrast_within(const SectionView& view, const Region& region, const Spread& luma) {
+double contrast_within(const SectionView& view, const ToneRegion& region, const ToneSpread& luma) {
   return relative_contrast(luma.range(), region.log_luminance.range(), view);
 }
 

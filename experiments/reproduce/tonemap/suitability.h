@@ -83,20 +83,20 @@ Mask without(const Mask& mask, const Mask& removed);
 Mask both(const Mask& a, const Mask& b);
 
 /// Quantiles p, 0.5 and 1 − p of values; zeros for no values.
-struct Spread {
+struct ToneSpread {
   double low = 0, middle = 0, high = 0;
   double range() const { return high - low; }
 };
 /// Of the values where the mask is set.
-Spread spread_in(const Plane<float>& values, const Mask& mask, double p);
+ToneSpread spread_in(const Plane<float>& values, const Mask& mask, double p);
 
 /// Pixels of a view and what the scene is there.
-struct Region {
+struct ToneRegion {
   Mask mask;
   double tail = 0.1;  ///< p of the spreads
-  Spread log_luminance;
+  ToneSpread log_luminance;
 };
-Region region_of(const SectionView& view, Mask mask, double tail);
+ToneRegion region_of(const SectionView& view, Mask mask, double tail);
 
 /// Contrast of luma for a contrast of log luminance, relative to a straight line in log luminance that takes
 /// the first to the 99th percentile of the view to luma 0 … 1: 1 keeps the proportion of the view's
@@ -104,7 +104,7 @@ Region region_of(const SectionView& view, Mask mask, double tail);
 double relative_contrast(double luma, double log_luminance, const SectionView& view);
 
 /// Contrast of luma between the ends of its spread in a region, relative to that of the scene there.
-double contrast_within(const SectionView& view, const Region& region, const Spread& luma);
+double contrast_within(const SectionView& view, const ToneRegion& region, const ToneSpread& luma);
 
 /// A colour for the pixels of a mask.
 struct RegionMark {

@@ -31,8 +31,8 @@ IndoorsOutdoors indoors_and_outdoors(const SectionView& view) {
 
 IndoorsOutdoorsNumbers measure(const SectionView& view, const IndoorsOutdoors& parts,
                                const Plane<float>& luma) {
-  const Spread indoors = spread_in(luma, parts.indoors.mask, kWithinTail);
-  const Spread outdoors = spread_in(luma, parts.outdoors.mask, kWithinTail);
+  const ToneSpread indoors = spread_in(luma, parts.indoors.mask, kWithinTail);
+  const ToneSpread outdoors = spread_in(luma, parts.outdoors.mask, kWithinTail);
   return {indoors.middle, outdoors.middle,
           relative_contrast(outdoors.middle - indoors.middle, parts.log_between(), view),
           contrast_within(view, parts.indoors, indoors), contrast_within(view, parts.outdoors, outdoors)};
@@ -44,7 +44,7 @@ ViewAndWater view_and_water(const SectionView& view) {
 }
 
 UsedRange measure(const SectionView& view, const ViewAndWater& parts, const Plane<float>& luma) {
-  const Spread water = spread_in(luma, parts.water.mask, kUsedTail);
+  const ToneSpread water = spread_in(luma, parts.water.mask, kUsedTail);
   return {spread_in(luma, parts.all.mask, kUsedTail), water, contrast_within(view, parts.water, water)};
 }
 
@@ -60,8 +60,8 @@ ShadeAndGlare shade_and_glare(const SectionView& view) {
 }
 
 ShadeAndGlareNumbers measure(const SectionView& view, const ShadeAndGlare& parts, const Plane<float>& luma) {
-  const Spread shade = spread_in(luma, parts.shade.mask, kWithinTail);
-  const Spread glare = spread_in(luma, parts.glare.mask, kWithinTail);
+  const ToneSpread shade = spread_in(luma, parts.shade.mask, kWithinTail);
+  const ToneSpread glare = spread_in(luma, parts.glare.mask, kWithinTail);
   return {shade.middle, glare.middle, contrast_within(view, parts.shade, shade),
           contrast_within(view, parts.glare, glare)};
 }

@@ -9,8 +9,8 @@ namespace plenolab {
 
 /// The cellar, figure 45.
 struct IndoorsOutdoors {
-  Region indoors;
-  Region outdoors;  ///< deeper than the far wall: what window and hatch show
+  ToneRegion indoors;
+  ToneRegion outdoors;  ///< deeper than the far wall: what window and hatch show
   double log_between() const { return outdoors.log_luminance.middle - indoors.log_luminance.middle; }
 };
 /// The far wall of both cellars stands 7.4 m from the cameras.
@@ -27,22 +27,22 @@ IndoorsOutdoorsNumbers measure(const SectionView& view, const IndoorsOutdoors& p
 
 /// Boats and Lanterns, figure 46: the whole view and the surface of the water up to 100 m away.
 struct ViewAndWater {
-  Region all, water;
+  ToneRegion all, water;
 };
 ViewAndWater view_and_water(const SectionView& view);
 
 struct UsedRange {
-  Spread all, water;        ///< luma, first percentile to 99th
+  ToneSpread all, water;    ///< luma, first percentile to 99th
   double within_water = 0;  ///< contrast of these percentiles of the water
 };
 UsedRange measure(const SectionView& view, const ViewAndWater& parts, const Plane<float>& luma);
 
 /// The cellar with light shafts, figure 47.
 struct ShadeAndGlare {
-  Region shade;  ///< floor and ceiling without the brightest quarter of them, which direct sun hits
+  ToneRegion shade;  ///< floor and ceiling without the brightest quarter of them, which direct sun hits
   /// The brightest tenth of what lies indoors: sunlit patches, lamps and shafts. (Taken first were surfaces
   /// around the openings; most of them turned out to lie in the shade.)
-  Region glare;
+  ToneRegion glare;
 };
 ShadeAndGlare shade_and_glare(const SectionView& view);
 

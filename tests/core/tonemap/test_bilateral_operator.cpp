@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -206,6 +207,56 @@ TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
   for (const double outliers : {-0.1, 0.3, std::nan("")})
     EXPECT_THROW((BilateralToneOptions{.outliers = outliers}.validate()), InputError) << outliers;
   EXPECT_THROW((BilateralToneOptions{.foreground_scale = -1}.validate()), InputError);
+}
+
+/// The same with and without leaving stages out.
+void expect_equal_pruned(BilateralToneParameters p, const SceneImage& image, const DisparityMap& disparity) {
+  p.options.prune = true;
+  const ToneMapped pruned = apply(p, image, &disparity);
+  p.options.prune = false;
+  const ToneMapped full = apply(p, image, &disparity);
+  EXPECT_EQ(pruned.image, full.image);
+  EXPECT_EQ(pruned.counts, full.counts);
+}
+
+TEST(BilateralOperator, LeavingStagesOutChangesNoBit) {
+  const SceneImage image = random_scene(48, 32);
+  const DisparityMap flat(48, 32, 7.0f);
+  DisparityMap edges = flat;
+  for (int y = 0; y < 32; ++y) edges.at(20, y) = 3;
+  for (const bool slow : {false, true})
+    for (const bool enhanced : {false, true})
+      for (const double compression : {0.4, 1.0})
+        for (const DisparityMap* disparity : std::array<const DisparityMap*, 2>{&flat, &edges}) {
+          const BilateralToneOptions o{.enhanced = enhanced, .exact = slow, .compression = compression};
+          expect_equal_pruned(fit(o, BaseRange{-1, 3}, 1e-3), image, *disparity);
+        }
+}
+
+TEST(BilateralOperator, WithoutCompressionTheTargetIsTheLuminanceThatTheLayersAddUpTo) {
+  const SceneImage image = random_scene(40, 24);
+  const BilateralToneOptions o{.compression = 1, .brightness = 0.5};
+  const BilateralLayers layers = bilateral_layers(o, image, nullptr, 1e-3);
+  const Plane<float> log = target_log_luminance(fit(o, BaseRange{0, 1}, 1e-3), layers),
+                     detail = layers.detail();
+  for (std::size_t i = 0; i < log.size(); ++i)
+    EXPECT_NEAR(log.pixels()[i], layers.base.pixels()[i] + detail.pixels()[i] - 0.5f, 1e-6f);
+}
+
+TEST(BilateralOperator, FitsFindTheSameBasesWithoutTheForegroundLayer) {
+  const SceneImage image = random_scene(48, 32);
+  DisparityMap edges(48, 32, 7.0f);
+  for (int y = 0; y < 32; ++y) edges.at(20, y) = 3;
+  const BilateralLayers all = bilateral_layers({.enhanced = true}, image, &edges, 1e-3);
+  const BilateralLayers base = bilateral_layers({.enhanced = true}, image, &edges, 1e-3, 0, false);
+  EXPECT_FALSE(all.foreground.empty());
+  EXPECT_TRUE(base.foreground.empty());
+  EXPECT_EQ(all.base, base.base);
+}
+
+TEST(BilateralOperator, LeavingTheBaseOutStillAsksForADisparityMap) {
+  const BilateralToneOptions o{.enhanced = true, .compression = 1};
+  EXPECT_THROW(apply(fit(o, BaseRange{0, 1}, 1), random_scene(8, 8), nullptr), InputError);
 }
 
 }  // namespace
