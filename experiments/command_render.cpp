@@ -55,7 +55,7 @@ void render_one_view(const Scene& scene, const ViewGrid& grid, const RenderSetti
   const CachedView view = render_view_cached(PreparedScene(scene), grid, position, settings,
                                              render_cache_folder(options.cache), bar.callback());
   write_exr(options.out, view.rendered.view.colour, {{"disparity", &view.rendered.view.disparity}},
-            {.colour_type = ExrPixelType::kFloat});
+            {.colour_type = ExrPixelType::kFloat, .float_attributes = {{kWhiteLuminance, 1.0f}}});
   write_run_json_beside(options.out, provenance);
   ResultTable table;
   const RenderStats& stats = view.rendered.stats;

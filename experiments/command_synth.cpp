@@ -33,14 +33,14 @@ struct SynthOptions {
 constexpr std::array kStateNames{"not used", "used",     "out of frustum", "disocclusion",
                                  "occluded", "restored", "weight zero"};
 
-void write_image(const std::string& path, const SceneImage& image) {
+void write_image(const std::string& path, const SceneImage& image, RadianceUnit unit) {
   if (is_display_file(path))
     write_display_image(path, expose(image, exposure_from(image)));
   else
-    write_scene_image(path, image);
+    write_scene_image(path, image, unit == RadianceUnit::kCdM2 ? std::optional(1.0) : std::nullopt);
 }
 
-void write_image(const std::string& path, const DisplayImage& image) {
+void write_image(const std::string& path, const DisplayImage& image, RadianceUnit) {
   if (is_display_file(path))
     write_display_image(path, image);
   else
@@ -145,7 +145,7 @@ void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOpt
   const NovelView<Referral> view = synthesize(field, position, synthesis);
   ResultTable table = summary(view);
   if (inspected) table.append(inspect_pixel(view, *inspected));
-  write_image(options.out, view.image);
+  write_image(options.out, view.image, field.unit());
   if (!options.visibility.empty()) write_display_image(options.visibility, visibility_map(view));
   if (!options.provenance.empty()) write_provenance(options.provenance, view);
   write_run_json_beside(options.out, provenance);

@@ -59,10 +59,11 @@ struct MappedImage {
   double seconds_fit = 0, seconds_map = 0;
 };
 
-MappedImage map_image(const OperatorChoice& choice, const OperatorView& view, int threads) {
+MappedImage map_image(const OperatorChoice& choice, const OperatorView& view,
+                      std::optional<double> cd_m2_per_unit, int threads) {
   MappedImage result;
   const Stopwatch fit_watch;
-  result.fitted = fit_image(choice, view, threads);
+  result.fitted = fit_image(choice, view, cd_m2_per_unit, threads);
   result.seconds_fit = fit_watch.seconds();
   const Stopwatch map_watch;
   result.mapped = result.fitted.apply(view, threads);
@@ -112,7 +113,8 @@ void run_map(const Invocation& invocation, const TonemapOptions& options) {
   provenance.parameters["operator"] = choice.info->id;
   provenance.parameters["variant"] = choice.variant.id;
   provenance.parameters["settings"] = settings_text(choice);
-  const MappedImage result = map_image(choice, view, options.common.threads);
+  const MappedImage result =
+      map_image(choice, view, declared_cd_m2_per_unit(options.image), options.common.threads);
   if (!options.layers.empty()) write_layer_folder(options, choice, view, result.mapped.image, invocation);
   write_mapped(options.out, result.mapped.image);
   write_run_json_beside(options.out, provenance);
@@ -208,7 +210,10 @@ void add_tonemap_command(CLI::App& app, const Invocation& invocation) {
   add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
+      "Operators that need cd/m2 take the unit from the .exr (whiteLuminance) or the light field around it;\n"
+      "where neither says it, from the image's log average, unless --set unit= or exposure= gives it.\n"
       "Examples: plenolab tonemap novel.exr -o novel.png --operator reinhard05 --set b=-1\n"
+      "          plenolab tonemap photograph.hdr -o photograph.png --operator bilateral --set contrast=50\n"
       "          plenolab tonemap --list");
   app.callback([options, &invocation] { run_tonemap(invocation, *options); });
 }

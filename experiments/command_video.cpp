@@ -52,6 +52,7 @@ void write_frames(
     const std::function<void(std::size_t, const fs::path&, const NovelView<SceneReferred>&)>& written) {
   const std::string format = options.format.empty() ? "exr" : options.format;
   const bool png = format == "png";
+  const std::optional<double> unit = field.unit() == RadianceUnit::kCdM2 ? std::optional(1.0) : std::nullopt;
   const float exposure = png ? common_exposure(field, options.exposure) : 1;
   Synthesizer(field).synthesize_sequence(
       positions, options.synthesis, [&](std::size_t index, NovelView<SceneReferred>&& view) {
@@ -59,7 +60,7 @@ void write_frames(
         if (png)
           write_display_image(file, expose(view.image, exposure));
         else
-          write_exr(file, view.image, {}, {.colour_type = ExrPixelType::kFloat});
+          write_scene_image(file, view.image, unit);
         written(index, file, view);
       });
 }

@@ -51,6 +51,7 @@ FrameMapping FrameMapper::map_by_itself(const OperatorView& frame) const {
   scope.statistics = evaluate(measure_view(*frame.colour, options_.threads), statistics_.floor);
   scope.floor = statistics_.floor;
   scope.threads = options_.threads;
+  scope.scale = statistics_.scale;
   const FittedOperator fitted = choice_.info->fit(choice_.variant.id, choice_.values, scope);
   ToneMapped mapped = fitted.apply(frame, options_.threads);
   return {std::move(mapped.image), {fitted.values, fitted.notes}, mapped.counts};

@@ -1,11 +1,14 @@
 #include "experiments/tonemap_fit.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/image/colour.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
+#include "core/lightfield/description.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
 
@@ -24,8 +27,23 @@ OperatorView read_operator_view(const std::filesystem::path& path, const std::st
   return view;
 }
 
-FittedOperator fit_image(const OperatorChoice& choice, const OperatorView& image, int threads) {
-  return choice.info->fit(choice.variant.id, choice.values, scope_of_image(image, threads));
+std::optional<double> declared_cd_m2_per_unit(const std::filesystem::path& path) {
+  if (is_exr_file(path))
+    for (const ExrPartInfo& part : read_exr_header(path)) {
+      const auto white = part.float_attributes.find(kWhiteLuminance);
+      if (white != part.float_attributes.end() && white->second > 0 && std::isfinite(white->second))
+        return white->second;
+    }
+  const std::filesystem::path description = path.parent_path() / kDescriptionFile;
+  if (!std::filesystem::exists(description)) return std::nullopt;
+  const LightFieldDescription field = parse_description(read_text_file(description), description.string());
+  if (field.display_referred || field.unit != RadianceUnit::kCdM2) return std::nullopt;
+  return 1;
+}
+
+FittedOperator fit_image(const OperatorChoice& choice, const OperatorView& image,
+                         std::optional<double> cd_m2_per_unit, int threads) {
+  return choice.info->fit(choice.variant.id, choice.values, scope_of_image(image, threads, cd_m2_per_unit));
 }
 
 void add_fit_rows(ResultTable& table, const std::vector<FittedValue>& values,

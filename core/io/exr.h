@@ -62,6 +62,9 @@ SceneImage parse_exr_image(std::span<const std::byte> bytes, const std::string& 
                            const ExrLimits& limits = {});
 SceneImage read_exr_image(const std::filesystem::path& path, const ExrLimits& limits = {});
 
+/// OpenEXR's standard attribute: luminance in cd/m² of the value (1, 1, 1). Images in cd/m² carry it as 1.
+inline constexpr const char* kWhiteLuminance = "whiteLuminance";
+
 enum class ExrCompression { kNone, kZip, kPiz };
 
 /// How an OpenEXR file is written.

@@ -126,10 +126,11 @@ DisplayImage read_display_image(const fs::path& path) {
   return image;
 }
 
-void write_scene_image(const fs::path& path, const SceneImage& image) {
+void write_scene_image(const fs::path& path, const SceneImage& image, std::optional<double> cd_m2_per_unit) {
   const std::string extension = lower_extension(path);
   ExrWriteOptions options;
   options.colour_type = ExrPixelType::kFloat;
+  if (cd_m2_per_unit) options.float_attributes[kWhiteLuminance] = static_cast<float>(*cd_m2_per_unit);
   if (extension == ".exr") return write_exr(path, image, {}, options);
   if (extension == ".hdr" || extension == ".pic") return write_radiance_hdr(path, image);
   if (extension == ".pfm") return write_pfm(path, image);

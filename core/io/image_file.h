@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/image/image.h"
 
@@ -15,8 +16,9 @@ SceneImage read_scene_image(const std::filesystem::path& path);
 DisplayImage read_display_image(const std::filesystem::path& path);
 
 /// Writes linear radiance by the extension: .exr (32-bit float), .hdr, .pfm. Atomically; missing folders are
-/// made.
-void write_scene_image(const std::filesystem::path& path, const SceneImage& image);
+/// made. `cd_m2_per_unit`, if known, becomes the attribute whiteLuminance of an .exr; the others have none.
+void write_scene_image(const std::filesystem::path& path, const SceneImage& image,
+                       std::optional<double> cd_m2_per_unit = std::nullopt);
 
 /// Bits per channel of a written PNG.
 enum class PngDepth { k8Bit, k16Bit };

@@ -21,6 +21,9 @@ ViewWriter<Referral>::ViewWriter(std::filesystem::path folder, const ViewGrid& g
   description_.view_pattern = "view_{row:02}_{column:02}.exr";
   exr_.colour_type = options.colour_type;
   exr_.compression = options.compression;
+  // So that a view says what it means when it is looked at by itself.
+  if (!description_.display_referred && unit == RadianceUnit::kCdM2)
+    exr_.float_attributes[kWhiteLuminance] = 1;
 }
 
 template <class Referral>

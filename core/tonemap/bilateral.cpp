@@ -21,8 +21,6 @@ namespace {
 constexpr int kRowGrain = 16;
 constexpr float kInverseGamma = 1 / 2.2f;
 constexpr int kBins = 1024;  // of a histogram of bases, for one log10 unit
-/// Range of the bases on the display where nothing else is asked for (Durand & Dorsey 2002: a contrast of 5).
-const double kTargetRange = std::log10(5.0);
 
 void check(bool good, const char* what, double value) {
   if (!good) throw InputError(fmt::format("{}, not {}", what, value));
@@ -79,15 +77,16 @@ bool has_depth_edges(const DisparityMap& disparity) {
 
 /// Reads a repaired view.
 BilateralLayers layers_of(const BilateralToneOptions& options, const SceneImage& image,
-                          const DisparityMap* disparity, double floor, int threads) {
+                          const DisparityMap* disparity, double floor, int threads, bool foreground) {
   BilateralLayers layers;
   layers.log_luminance = log_luminance(image, floor, threads);
-  if (!options.enhanced || !has_depth_edges(*disparity)) {
+  if (!options.enhanced || (options.prune && !has_depth_edges(*disparity))) {
     layers.base = filter(options, layers.log_luminance, std::nullopt, threads);
     return layers;
   }
   DepthGuide guide{disparity, options.sigma_d_px, DepthSide::kTwoSided};
   layers.base = filter(options, layers.log_luminance, guide, threads);
+  if (!foreground) return layers;
   guide.side = DepthSide::kBackgroundTakesNothingFromForeground;
   const Plane<float> temporary = filter(options, layers.log_luminance, guide, threads);
   layers.foreground = layers.base;
@@ -95,11 +94,31 @@ BilateralLayers layers_of(const BilateralToneOptions& options, const SceneImage&
   return layers;
 }
 
+/// Layers without a base, which the target does not read. Errors are those of bilateral_layers.
+BilateralLayers luminance_alone(const BilateralToneParameters& p, const SceneImage& view,
+                                const DisparityMap* disparity, int threads) {
+  if (p.options.enhanced) check_disparity(view, disparity);
+  const RepairedView repaired(view, threads);
+  BilateralLayers layers;
+  layers.log_luminance = log_luminance(repaired.image(), p.floor, threads);
+  return layers;
+}
+
+/// Whether the base layer cancels: base·1 + (I − base) = I.
+bool keeps_luminance(const BilateralToneParameters& p) {
+  return p.compression == 1 && (!p.options.enhanced || p.foreground_scale == 0);
+}
+
 void target_row(const BilateralToneParameters& p, const BilateralLayers& layers, int y,
                 std::span<float> out) {
   const float compression = static_cast<float>(p.compression), scale = static_cast<float>(p.foreground_scale);
   const float brightness = static_cast<float>(p.brightness);
-  const float *log = layers.log_luminance.row(y), *base = layers.base.row(y);
+  const float* log = layers.log_luminance.row(y);
+  if (keeps_luminance(p)) {
+    std::transform(log, log + out.size(), out.begin(), [&](float v) { return v - brightness; });
+    return;
+  }
+  const float* base = layers.base.row(y);
   const float* foreground = layers.foreground.empty() ? nullptr : layers.foreground.row(y);
   for (std::size_t x = 0; x < out.size(); ++x) {
     const float layer = foreground ? foreground[x] * scale : 0.0f;
@@ -121,8 +140,15 @@ void BilateralToneOptions::validate() const {
     check(*foreground_scale >= 0 && *foreground_scale <= 4, "the foreground scale must lie in [0, 4]",
           *foreground_scale);
   check(outliers >= 0 && outliers <= 0.2, "the share of outliers must lie in [0, 0.2]", outliers);
-  check(colour_exponent >= 0 && colour_exponent <= 1, "the colour exponent must lie in [0, 1]",
-        colour_exponent);
+  check(contrast >= 1.1 && contrast <= 1e6, "the contrast of bases must lie in [1.1, 1e6]", contrast);
+  if (colour_exponent)
+    check(*colour_exponent >= 0 && *colour_exponent <= 1, "the colour exponent must lie in [0, 1]",
+          *colour_exponent);
+}
+
+double colour_exponent_of(double compression) {
+  const double power = 1.48 * std::pow(compression, 0.82);
+  return (1 + 1 / 1.48) * power / (1 + power) / 2.2;
 }
 
 Plane<float> BilateralLayers::detail() const {
@@ -132,12 +158,12 @@ Plane<float> BilateralLayers::detail() const {
 }
 
 BilateralLayers bilateral_layers(const BilateralToneOptions& options, const SceneImage& view,
-                                 const DisparityMap* disparity, double floor, int threads) {
+                                 const DisparityMap* disparity, double floor, int threads, bool foreground) {
   options.validate();
   check(floor > 0 && std::isfinite(floor), "the log floor must be a positive luminance", floor);
   if (options.enhanced) check_disparity(view, disparity);
   const RepairedView repaired(view, threads);
-  return layers_of(options, repaired.image(), disparity, floor, threads);
+  return layers_of(options, repaired.image(), disparity, floor, threads, foreground);
 }
 
 BaseHistogram measure_base(const BilateralLayers& layers) {
@@ -185,14 +211,16 @@ BilateralToneParameters fit(const BilateralToneOptions& options, const BaseRange
   BilateralToneParameters p;
   p.options = options;
   p.floor = floor;
-  p.compression = options.compression.value_or(range > kTargetRange ? kTargetRange / range : 1.0);
+  const double display_range = std::log10(options.contrast);
+  p.compression = options.compression.value_or(range > display_range ? display_range / range : 1.0);
   p.brightness = options.brightness.value_or(p.compression * bases.max);
   p.foreground_scale = options.foreground_scale.value_or(1 - p.compression);
+  p.colour_exponent = options.colour_exponent.value_or(colour_exponent_of(p.compression));
   return p;
 }
 
 Plane<float> target_log_luminance(const BilateralToneParameters& p, const BilateralLayers& layers) {
-  Plane<float> target(layers.base.width(), layers.base.height());
+  Plane<float> target(layers.log_luminance.width(), layers.log_luminance.height());
   for (int y = 0; y < target.height(); ++y)
     target_row(p, layers, y, {target.row(y), static_cast<std::size_t>(target.width())});
   return target;
@@ -200,7 +228,9 @@ Plane<float> target_log_luminance(const BilateralToneParameters& p, const Bilate
 
 ToneMapped apply(const BilateralToneParameters& p, const SceneImage& view, const DisparityMap* disparity,
                  int threads) {
-  const BilateralLayers layers = bilateral_layers(p.options, view, disparity, p.floor, threads);
+  const BilateralLayers layers = p.options.prune && keeps_luminance(p)
+                                     ? luminance_alone(p, view, disparity, threads)
+                                     : bilateral_layers(p.options, view, disparity, p.floor, threads);
   const auto body = [&](int y, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers& buffers,
                         MappingCounts& counts) {
     buffers.a.resize(scene.size());
@@ -208,7 +238,7 @@ ToneMapped apply(const BilateralToneParameters& p, const SceneImage& view, const
     for (float& v : buffers.a) v *= kInverseGamma;  // gamma in the log domain
     exp10_row(buffers.a, buffers.a);
     for (const Rgb& c : scene) counts.floored_pixels += luminance(c) > 0 ? 0 : 1;
-    counts.clipped_high += apply_colour_ratio(scene, buffers.a, p.options.colour_exponent, out);
+    counts.clipped_high += apply_colour_ratio(scene, buffers.a, p.colour_exponent, out);
   };
   return map_rows(view, threads, body);
 }

@@ -18,27 +18,40 @@ namespace plenolab {
 /// units). Output: display values in [0, 1]. With I = log10 L and base = bilateral(I; σ_s, σ_l):
 ///   naive      log10 L_target = base·compression + (I − base) − brightness
 ///   enhanced   log10 L_target = base_m·compression + foreground·scale + (I − base_m) − brightness,
-/// luma = L_target^(1/2.2), then apply_colour_ratio. base_m takes nothing across depth edges; foreground =
+/// luma = L_target^(1/2.2), then apply_colour_ratio. Where compression is 1 and nothing of the foreground is
+/// added, log10 L_target = I − brightness exactly. base_m takes nothing across depth edges; foreground =
 /// base_m − temporary, where the temporary layer lets foreground pixels take from the background and not the
 /// other way round: W'_d = G(max(disp(q) − disp(p), 0)). Slip of the thesis corrected: it prints p and q the
 /// other way round, against its own text, which puts the half profile on the background.
 struct BilateralToneOptions {
-  bool enhanced = false;                   ///< needs a disparity map
-  bool exact = false;                      ///< the O(σ_s²) filter instead of the fast approximation
-  double sigma_s_share = 0.02;             ///< σ_s as a share of the larger image side, (0, 1]
-  double sigma_log10 = 0.4;                ///< σ_l, log10 units, (0, 100]
-  double sigma_d_px = 0.5;                 ///< σ_d, pixels of disparity, (0, 1e6]
-  std::optional<double> compression;       ///< (0, 1]; absent: min(1, log10 5 / range of all bases without
-                                           ///< outliers)
-  std::optional<double> brightness;        ///< log10 units; absent: compression · upper end of that range
+  bool enhanced = false;              ///< needs a disparity map
+  bool exact = false;                 ///< the O(σ_s²) filter instead of the fast approximation
+  double sigma_s_share = 0.02;        ///< σ_s as a share of the larger image side, (0, 1]
+  double sigma_log10 = 0.4;           ///< σ_l, log10 units, (0, 100]
+  double sigma_d_px = 0.5;            ///< σ_d, pixels of disparity, (0, 1e6]
+  double contrast = 5;                ///< of all bases on the display, for automatic compression, [1.1, 1e6]
+  std::optional<double> compression;  ///< (0, 1]; absent: min(1, log10 contrast / range of all bases
+                                      ///< without outliers)
+  std::optional<double> brightness;   ///< log10 units; absent: compression · upper end of that range
   std::optional<double> foreground_scale;  ///< [0, 4]; absent: 1 − compression, with which the foreground
                                            ///< equals the naive operator and the background keeps no profile
   /// Share of all base values left out at each end of the range that automatic compression and brightness
   /// rest on, [0, 0.2]. With 0, the extremes, a single nearly black pixel washes out a photograph.
   double outliers = 0.01;
-  double colour_exponent = kColourExponent;  ///< [0, 1]
+  /// [0, 1]; absent: colour_exponent_of(compression).
+  std::optional<double> colour_exponent;
+  /// Whether stages that cannot change the result are left out: the depth weights and the foreground layer
+  /// where all disparities are equal, the base layer where compression is 1. False computes them, to compare.
+  bool prune = true;
   void validate() const;
 };
+
+/// Exponent of the colour ratio that keeps colours as saturated as they were seen before contrasts were
+/// compressed: s/2.2 with s = (1 + k1)·c^k2/(1 + k1·c^k2), k1 = 1.48, k2 = 0.82 (Mantiuk, Mantiuk,
+/// Tomaszewska & Heidrich 2009, who raise ratios of linear light to s, as pfstmo's operator does). At
+/// compression 1 it is 1/2.2, which leaves linear ratios as they are; a fixed larger one would make dark
+/// saturated colours, whose luma compression raises, glaring: their ratios reach 4.7 (red) and 13.9 (blue).
+double colour_exponent_of(double compression);
 
 /// The layers, log10 units of L, for display and for the result. `base` is the naive base or base_m;
 /// `foreground` is empty for the naive operator and where no depth edge can change a weight.
@@ -50,9 +63,10 @@ struct BilateralLayers {
 
 /// Computes the layers of a view. `floor` > 0 stands for luminance 0 (log_floor of the light field).
 /// `disparity` of the same size is required by the enhanced operator and unused by the naive one; InputError
-/// otherwise.
+/// otherwise. `foreground` false leaves the foreground layer empty: fits look at the base alone.
 BilateralLayers bilateral_layers(const BilateralToneOptions& options, const SceneImage& view,
-                                 const DisparityMap* disparity, double floor, int threads = 0);
+                                 const DisparityMap* disparity, double floor, int threads = 0,
+                                 bool foreground = true);
 
 /// A range of base values, log10 units.
 struct BaseRange {
@@ -76,6 +90,7 @@ struct BilateralToneParameters {
   BilateralToneOptions options;  ///< of the layers
   double floor = 1;
   double compression = 1, brightness = 0, foreground_scale = 0;
+  double colour_exponent = 1 / 2.2;
 };
 
 /// Parameters for a whole light field: `bases` is the range over all of its views (range_of with

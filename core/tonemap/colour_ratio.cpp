@@ -18,13 +18,15 @@ class RatioMap {
  public:
   explicit RatioMap(float exponent) : exponent_(exponent) {}
 
-  HWY_INLINE Vec Channel(Vec channel, Vec luminance, Vec luma, LaneMask valid) {
+  /// One channel that stands for `channels` equal ones.
+  HWY_INLINE Vec Channel(Vec channel, Vec luminance, Vec luma, LaneMask valid, std::int64_t channels = 1) {
     const Floats d;
     const LaneMask lit = hn::Gt(luminance, hn::Zero(d));
     // Where L = 0 the ratio is 1; the divisor then only keeps the division defined.
     const Vec ratio = hn::IfThenElse(lit, hn::Div(channel, hn::IfThenElse(lit, luminance, C(1.0f))), C(1.0f));
     const Vec value = hn::Mul(luma, exponent_ == 1 ? ratio : Pow(ratio, exponent_));
-    clipped_ += static_cast<std::int64_t>(hn::CountTrue(d, hn::And(valid, hn::Gt(value, C(1.0f)))));
+    clipped_ +=
+        channels * static_cast<std::int64_t>(hn::CountTrue(d, hn::And(valid, hn::Gt(value, C(1.0f)))));
     return hn::Min(value, C(1.0f));
   }
 
@@ -35,11 +37,16 @@ class RatioMap {
   std::int64_t clipped_ = 0;
 };
 
-std::int64_t ColourRatioRow(const Rgb* scene, const float* luma, float exponent, Rgb* out,
-                            std::size_t count) {
+std::int64_t ColourRatioRow(const Rgb* scene, const float* luma, float exponent, Rgb* out, std::size_t count,
+                            bool prune) {
   RatioMap map(exponent);
   VisitPixels(scene, count, [&](Vec r, Vec g, Vec b, std::size_t i, LaneMask valid) {
     const Vec light = Luminance(r, g, b), level = LoadLanes(luma, i, count);
+    if (prune && hn::AllTrue(Floats(), hn::And(hn::Eq(r, g), hn::Eq(g, b)))) {
+      r = map.Channel(r, light, level, valid, 3);
+      StorePixels(r, r, r, out, i, count);
+      return;
+    }
     r = map.Channel(r, light, level, valid);
     g = map.Channel(g, light, level, valid);
     b = map.Channel(b, light, level, valid);
@@ -60,10 +67,10 @@ HWY_EXPORT(ColourRatioRow);
 }
 
 std::int64_t apply_colour_ratio(std::span<const Rgb> scene, std::span<const float> luma, double exponent,
-                                std::span<Rgb> out) {
+                                std::span<Rgb> out, bool prune) {
   PLENOLAB_CHECK(scene.size() == luma.size() && scene.size() == out.size(), "rows of equal length");
   return HWY_DYNAMIC_DISPATCH(ColourRatioRow)(scene.data(), luma.data(), static_cast<float>(exponent),
-                                              out.data(), scene.size());
+                                              out.data(), scene.size(), prune);
 }
 
 }  // namespace plenolab

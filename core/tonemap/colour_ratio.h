@@ -18,8 +18,9 @@ inline constexpr double kColourExponent = 0.7;
 /// `scene`: linear RGB, finite and ≥ 0, any unit. `luma`: display luma ≥ 0, finite. `out`: code values in [0,
 /// 1]. All of equal length; `out` may not overlap `scene`. `exponent` in [0, 1]: 1 keeps the ratios of linear
 /// light in the encoded values (over-saturated), 0 gives grey, 1/2.2 equals encoding C·L_out/L by gamma. A
-/// colourless pixel comes out exactly colourless. Returns how many channel values were above 1.
+/// colourless pixel comes out exactly colourless. Returns how many channel values were above 1. Runs of
+/// colourless pixels are evaluated for one channel; `prune` false evaluates all three, to the same bits.
 std::int64_t apply_colour_ratio(std::span<const Rgb> scene, std::span<const float> luma, double exponent,
-                                std::span<Rgb> out);
+                                std::span<Rgb> out, bool prune = true);
 
 }  // namespace plenolab

@@ -233,6 +233,10 @@ double just_noticeable_difference_cd_m2(double luminance_cd_m2) {
   return std::pow(10.0, t - 1.255);
 }
 
+bool fits_display(const HistogramOptions& options, double log_min, double log_max) {
+  return log_max - log_min <= std::log10(options.display_max_cd_m2) - std::log10(options.display_min_cd_m2);
+}
+
 HistogramParameters fit(const HistogramOptions& options, const LogHistogram& histogram, double floor) {
   options.validate();
   PLENOLAB_CHECK(histogram.counts.size() == static_cast<std::size_t>(options.bins), "bins as in the options");
@@ -244,7 +248,7 @@ HistogramParameters fit(const HistogramOptions& options, const LogHistogram& his
   p.log_display_max = std::log10(options.display_max_cd_m2);
   p.colour_exponent = options.colour_exponent;
   const double range = p.log_max - p.log_min, display_range = p.log_display_max - p.log_display_min;
-  if (range <= display_range) {
+  if (fits_display(options, p.log_min, p.log_max)) {
     p.linear = true;
     p.linear_because =
         fmt::format("the range of {:.2f} log10 units fits the display's {:.2f}", range, display_range);

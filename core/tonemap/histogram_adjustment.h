@@ -74,6 +74,10 @@ struct HistogramParameters {
   double colour_exponent = kColourExponent;
 };
 
+/// Whether log10 luminances between these fit the display, so that nothing is to be done: the counts of a
+/// histogram over this range are then not looked at.
+bool fits_display(const HistogramOptions& options, double log_min, double log_max);
+
 /// Trims the histogram and sums it up. Nothing is to be done if the range fits the display, and too little is
 /// left if the total falls below the tolerance: then the mapping is linear with the largest luminance at
 /// L_dmax, which is what the curve tends to as the range shrinks to that of the display (so neighbouring

@@ -34,6 +34,8 @@ LightFieldStatistics measure_light_field(const LightField& field, int threads, c
   });
   statistics.all = merge(statistics.views);
   statistics.floor = log_floor(statistics.all);
+  if (field.unit() == RadianceUnit::kRelative)
+    statistics.scale = {std::nullopt, evaluate(statistics.all, statistics.floor).log_robust_average};
   return statistics;
 }
 
@@ -48,7 +50,8 @@ FitScope scope_of_view(const LightField& field, const LightFieldStatistics& stat
           .load = [field, column, row](int) { return operator_view(field, column, row); },
           .statistics = statistics.of_view(index_of(field.grid(), column, row)),
           .floor = statistics.floor,
-          .threads = threads};
+          .threads = threads,
+          .scale = statistics.scale};
 }
 
 FitScope scope_of_light_field(const LightField& field, const LightFieldStatistics& statistics, int threads) {
@@ -57,7 +60,8 @@ FitScope scope_of_light_field(const LightField& field, const LightFieldStatistic
           .load = [field, columns](int i) { return operator_view(field, i % columns, i / columns); },
           .statistics = evaluate(statistics.all, statistics.floor),
           .floor = statistics.floor,
-          .threads = threads};
+          .threads = threads,
+          .scale = statistics.scale};
 }
 
 MappingCounts map_light_field(const OperatorInfo& info, std::string_view variant, const SettingValues& values,
@@ -85,6 +89,7 @@ void set_key_views(const LightFieldStatistics& statistics, const ViewGrid& grid,
                    FrameInput& frame) {
   frame.key_views.clear();
   frame.weights.clear();
+  frame.scale = statistics.scale;
   for (const UsedView& view : select_key_views(grid, position)) {
     frame.key_views.push_back(statistics.of_view(index_of(grid, view.column, view.row)));
     frame.weights.push_back(view.weight);

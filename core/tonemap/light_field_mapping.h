@@ -15,7 +15,8 @@ namespace plenolab {
 struct LightFieldStatistics {
   std::vector<ViewStatistics> views;
   ViewStatistics all;
-  double floor = 1;  ///< log_floor(all)
+  double floor = 1;     ///< log_floor(all)
+  RadianceScale scale;  ///< of radiance in all views
 
   /// Of one view with the floor of the light field.
   ImageStatistics of_view(std::size_t index) const { return evaluate(views.at(index), floor); }
@@ -44,8 +45,9 @@ MappingCounts map_light_field(const OperatorInfo& info, std::string_view variant
                               const LightField& field, const LightFieldStatistics& statistics,
                               const MappedViewSink& sink, int threads = 0, const Progress& progress = {});
 
-/// Fills in the statistics and bilinear weights of the key views around a position of the grid (those of
-/// select_key_views: one on a key view, up to four else). Throws InputError if it is not on the grid.
+/// Fills in the scale of radiance, and the statistics and bilinear weights of the key views around a position
+/// of the grid (those of select_key_views: one on a key view, up to four else). Throws InputError if it is
+/// not on the grid.
 void set_key_views(const LightFieldStatistics& statistics, const ViewGrid& grid, CameraPosition position,
                    FrameInput& frame);
 

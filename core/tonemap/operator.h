@@ -11,6 +11,7 @@
 
 #include "core/image/image.h"
 #include "core/tonemap/adaptation.h"
+#include "core/tonemap/radiance_scale.h"
 #include "core/tonemap/reinhard_devlin.h"
 #include "core/tonemap/settings.h"
 #include "core/tonemap/statistics.h"
@@ -56,10 +57,12 @@ struct FitScope {
   ImageStatistics statistics;  ///< of all views of the scope together
   double floor = 1;            ///< log_floor of the whole light field
   int threads = 0;
+  RadianceScale scale{};  ///< of the whole light field
 };
 
-/// A single image as the whole light field. `image` must outlive the scope.
-FitScope scope_of_image(const OperatorView& image, int threads = 0);
+/// A single image as the whole light field. `image` must outlive the scope. `cd_m2_per_unit`: what radiance 1
+/// is, absent if that is not known.
+FitScope scope_of_image(const OperatorView& image, int threads = 0, std::optional<double> cd_m2_per_unit = 1);
 
 /// A number of a fit, for reports.
 struct FittedValue {
@@ -83,6 +86,7 @@ struct FrameInput {
   double step_s = 0;                       ///< since the previous frame, ≥ 0
   AdaptationOptions adaptation;
   int threads = 0;
+  RadianceScale scale{};  ///< of the light field
 };
 
 /// What one frame hands on to the next; a plain value. An empty optional of it means first frame or cut.

@@ -36,13 +36,14 @@ const OperatorVariant& find_variant(const OperatorInfo& info, std::string_view i
   return find_item(info.variants, id, fmt::format("variant of operator {}", info.id));
 }
 
-FitScope scope_of_image(const OperatorView& image, int threads) {
+FitScope scope_of_image(const OperatorView& image, int threads, std::optional<double> cd_m2_per_unit) {
   const ViewStatistics statistics = measure_view(*image.colour, threads);
   FitScope scope;
   scope.load = [&image](int) { return image; };
   scope.floor = log_floor(statistics);
   scope.statistics = evaluate(statistics, scope.floor);
   scope.threads = threads;
+  scope.scale = {cd_m2_per_unit, scope.statistics.log_robust_average};
   return scope;
 }
 

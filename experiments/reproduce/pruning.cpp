@@ -1,13 +1,10 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "analysis/timing.h"
 #include "core/image/colour.h"
-#include "experiments/reproduce/reproduction.h"
+#include "experiments/reproduce/pruning_outcome.h"
 #include "experiments/score.h"
 
 namespace plenolab {
@@ -24,14 +21,6 @@ struct SynthesisCase {
   std::string name;
   LightField field;
   CameraPosition position;
-};
-
-/// What leaving out did to one result.
-struct PruningOutcome {
-  std::string part, stimulus;
-  std::vector<PrunedStage> stages;
-  bool equal = false;
-  double seconds_pruned = 0, seconds_full = 0;
 };
 
 /// A textured plane parallel to the camera plane at `disparity_px`: no depth edges, one disparity.
@@ -72,24 +61,6 @@ std::vector<SynthesisCase> synthesis_cases(Laboratory& laboratory) {
   return cases;
 }
 
-/// Runs `work(true)` and `work(false)`, with and without leaving out, by turns, so that a change of the
-/// machine's speed meets both; fills in the median times and returns the last two results.
-template <class Work>
-auto time_by_turns(PruningOutcome& outcome, const Work& work) {
-  constexpr int kRuns = 3;
-  std::array<std::vector<double>, 2> seconds;
-  std::array<decltype(work(true)), 2> results;
-  for (int run = 0; run < kRuns; ++run)
-    for (const std::size_t full : {0u, 1u}) {
-      const Stopwatch watch;
-      results[full] = work(full == 0);
-      seconds[full].push_back(watch.seconds());
-    }
-  outcome.seconds_pruned = summarise_times(seconds[0]).median_s;
-  outcome.seconds_full = summarise_times(seconds[1]).median_s;
-  return results;
-}
-
 PruningOutcome prune_synthesis(const SynthesisCase& c, int threads) {
   const Synthesizer synthesizer(c.field);
   SynthesisOptions options;
@@ -124,47 +95,6 @@ PruningOutcome prune_rendering(Laboratory& laboratory, const std::string& id) {
   outcome.stages = pruned.stats.pruned;
   outcome.equal = pruned.view.colour == full.view.colour && pruned.view.disparity == full.view.disparity;
   return outcome;
-}
-
-/// Each stage once, also where it was left out for several key views.
-std::string stage_names(const PruningOutcome& outcome) {
-  std::vector<std::string> names;
-  for (const PrunedStage& stage : outcome.stages)
-    if (std::find(names.begin(), names.end(), stage.stage) == names.end()) names.push_back(stage.stage);
-  return names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "));
-}
-
-void add_outcome_rows(ResultTable& rows, const PruningOutcome& o) {
-  const Columns columns{{"part", o.part}, {"stimulus", o.stimulus}};
-  rows.add({"equal_with_and_without", o.equal ? 1.0 : 0.0, "1", columns});
-  rows.add({"seconds_pruned", o.seconds_pruned, "s", columns});
-  rows.add({"seconds_full", o.seconds_full, "s", columns});
-  for (const PrunedStage& stage : o.stages) {
-    Columns with_stage = columns;
-    with_stage.emplace_back("stage", stage.stage);
-    with_stage.emplace_back("reason", stage.reason);
-    rows.add({"stage_left_out", 1, "1", with_stage});
-  }
-}
-
-ReportTable reasons_table(const std::vector<PruningOutcome>& outcomes) {
-  ReportTable table{"What was left out and why", {"part", "stimulus", "stage", "reason"}, {}};
-  for (const PruningOutcome& o : outcomes)
-    for (const PrunedStage& stage : o.stages)
-      table.rows.push_back({o.part, o.stimulus, stage.stage, stage.reason});
-  return table;
-}
-
-ReportTable savings_table(const std::vector<PruningOutcome>& outcomes) {
-  ReportTable table{"Time with and without leaving out; results compared bit by bit",
-                    {"part", "stimulus", "left out", "with [ms]", "without [ms]", "saved [%]", "equal"},
-                    {}};
-  for (const PruningOutcome& o : outcomes)
-    table.rows.push_back({o.part, o.stimulus, stage_names(o), o.seconds_pruned * 1000, o.seconds_full * 1000,
-                          o.seconds_full > 0 ? 100 * (1 - o.seconds_pruned / o.seconds_full) : 0.0,
-                          std::string(o.equal ? "yes" : "NO")});
-  table.digits = 3;
-  return table;
 }
 
 }  // namespace

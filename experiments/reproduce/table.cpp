@@ -28,6 +28,12 @@ ReproductionResult reproduce_adaptation_in_time(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_tone_mapping_sweep(Laboratory& laboratory);
 ReproductionResult reproduce_pruning(Laboratory& laboratory);
+ReproductionResult reproduce_flattened_outdoors(Laboratory& laboratory);
+ReproductionResult reproduce_unused_range(Laboratory& laboratory);
+ReproductionResult reproduce_dark_floor(Laboratory& laboratory);
+ReproductionResult reproduce_claim_t11(Laboratory& laboratory);
+ReproductionResult reproduce_pruning_tone_mapping(Laboratory& laboratory);
+ReproductionResult reproduce_claim_s1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g3(Laboratory& laboratory);
@@ -98,6 +104,12 @@ std::span<const Reproduction> reproductions() {
                    reproduce_numbers_of_trimmings},
       Reproduction{"robust-operator", "Beyond the thesis: an operator that adapts and does not flicker",
                    Chapter::kConsistency, reproduce_robust_operator},
+      Reproduction{"altmeier-fig-45", "Figure 45: histogram adjustment between indoors and outdoors",
+                   Chapter::kOperators, reproduce_flattened_outdoors},
+      Reproduction{"altmeier-fig-46", "Figure 46: bilateral filtering leaves range unused",
+                   Chapter::kOperators, reproduce_unused_range},
+      Reproduction{"altmeier-fig-47", "Figure 47: Reinhard 2005 beside direct sun", Chapter::kOperators,
+                   reproduce_dark_floor},
       Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
                    Chapter::kConsistency, reproduce_adaptation_in_time},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
@@ -105,6 +117,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"sweep-tone-mapping", "Error against run time of tone mapping", Chapter::kSpeed,
                    reproduce_tone_mapping_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
+      Reproduction{"pruning-tone-mapping", "What tone mapping left out, and what that saved", Chapter::kSpeed,
+                   reproduce_pruning_tone_mapping},
       Reproduction{"altmeier-claim-g1", "Claim A-G1: one pixel is the coarsest acceptable search step",
                    Chapter::kClaims, reproduce_claim_g1},
       Reproduction{"altmeier-claim-g2",
@@ -155,6 +169,8 @@ std::span<const Reproduction> reproductions() {
                    reproduce_claim_t9},
       Reproduction{"altmeier-claim-t10", "Claim A-T10: what key-view adjustment lowers, keeps and loses",
                    Chapter::kClaims, reproduce_claim_t10},
+      Reproduction{"altmeier-claim-t11", "Claim A-T11: where each operator fails", Chapter::kClaims,
+                   reproduce_claim_t11},
       Reproduction{"altmeier-claim-t12", "Claim A-T12: adaptation to the sun of the Dunes", Chapter::kClaims,
                    reproduce_claim_t12},
       Reproduction{"altmeier-claim-t13", "Claim A-T13: a denser grid makes outliers worse", Chapter::kClaims,
@@ -166,6 +182,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-t3",
                    "Claim A-T3: histogram adjustment is consistent in bright scenes, less so in dark ones",
                    Chapter::kClaims, reproduce_claim_t3},
+      Reproduction{"altmeier-claim-s1", "Claim A-S1: which stages are interactive, which run in real time",
+                   Chapter::kClaims, reproduce_claim_s1},
   };
   return kItems;
 }

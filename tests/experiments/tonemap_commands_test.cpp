@@ -105,6 +105,32 @@ TEST(TonemapCommand, NotesWhichBranchAnOperatorTook) {
   EXPECT_NE(result.out.find("note: linear mapping"), std::string::npos) << result.out;
 }
 
+TEST(TonemapCommand, TakesTheUnitFromTheFileTheLightFieldAroundItOrTheImage) {
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "out.png";
+  const auto unit_of = [&](const fs::path& image) {
+    return value_of(rows_of({"tonemap", image, "-o", out, "--operator", "histogram"}), "cd_m2_per_unit");
+  };
+  const fs::path declared = folder.path() / "declared.exr", relative = folder.path() / "relative.exr";
+  const SceneImage grey(8, 4, Rgb{2, 2, 2});
+  write_exr(declared, grey, {}, {.float_attributes = {{kWhiteLuminance, 25.0f}}});
+  write_exr(relative, grey);
+  EXPECT_EQ(unit_of(declared), 25);
+  EXPECT_NEAR(unit_of(relative), 50, 1e-3);  // so that the log average is 100 cd/m²
+  const LightField plane = plane_field(3);
+  std::vector<KeyView<SceneReferred>> views;
+  for (int i = 0; i < 9; ++i) views.push_back(*plane.view(i % 3, i / 3));
+  const fs::path field = folder.path() / "field";
+  write_light_field(field,
+                    LightField::from_views(plane.grid(), RadianceUnit::kCdM2, "plane", std::move(views)));
+  EXPECT_EQ(unit_of(field / "view_01_01.exr"), 1);
+  rows_of({"synth", field, "--at", "0.5,0", "-o", folder.path() / "novel.exr"});
+  EXPECT_EQ(unit_of(folder.path() / "novel.exr"), 1);
+  // Of a light field written by others, the description says it.
+  write_exr(field / "view_01_01.exr", grey);
+  EXPECT_EQ(unit_of(field / "view_01_01.exr"), 1);
+}
+
 TEST(TonemapCommand, ListsEveryOperatorVariantAndSettingForPeopleAndPrograms) {
   const auto rows = rows_of({"tonemap", "--list"});
   const std::string text = run_program({"tonemap", "--list"}).out;

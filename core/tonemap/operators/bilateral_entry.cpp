@@ -13,12 +13,13 @@ const std::vector<Setting>& settings() {
       {"sigma_s", d.sigma_s_share, 1e-4, 1, "of the larger side", "width of the filter in the image"},
       {"sigma_l", d.sigma_log10, 1e-3, 100, "log10 units", "width of the filter in luminance"},
       {"sigma_d", d.sigma_d_px, 1e-3, 1e6, "px of disparity", "width of the filter in disparity (enhanced)"},
+      {"contrast", d.contrast, 1.1, 1e6, "", "of all bases on the display, for automatic compression"},
       {.name = "compression",
        .default_value = 0.5,
        .minimum = 1e-3,
        .maximum = 1,
        .help = "factor on the log base layer",
-       .automatic = "min(1, log10 5 / range of all bases without outliers)"},
+       .automatic = "min(1, log10 contrast / range of all bases without outliers)"},
       {.name = "brightness",
        .default_value = 0,
        .minimum = -100,
@@ -34,7 +35,12 @@ const std::vector<Setting>& settings() {
        .automatic = "1 - compression"},
       {"outliers", d.outliers, 0, 0.2, "",
        "share of bases left out at each end of their range; 0 = extremes"},
-      colour_exponent_setting(d.colour_exponent),
+      {.name = "alpha",
+       .default_value = 1 / 2.2,
+       .minimum = 0,
+       .maximum = 1,
+       .help = "exponent of the colour ratio: 1 saturated, 0 grey",
+       .automatic = "less with stronger compression, from 1/2.2 down (Mantiuk et al. 2009)"},
       {.name = "filter",
        .default_value = 0,
        .minimum = 0,
@@ -49,7 +55,7 @@ BaseRange base_range(const BilateralToneOptions& options, const FitScope& scope)
   const auto measure = [&](int i) {
     const OperatorView view = scope.load(i);
     return measure_base(
-        bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads));
+        bilateral_layers(options, *view.colour, view.disparity.get(), scope.floor, scope.threads, false));
   };
   BaseHistogram all = measure(0);
   for (int i = 1; i < scope.views; ++i) all = merge(std::move(all), measure(i));
@@ -67,7 +73,8 @@ FittedOperator fit_entry(std::string_view variant, const SettingValues& values, 
           },
           {{"compression", p.compression, ""},
            {"brightness", p.brightness, "log10 units"},
-           {"foreground_scale", p.foreground_scale, ""}},
+           {"foreground_scale", p.foreground_scale, ""},
+           {"colour_exponent", p.colour_exponent, ""}},
           {}};
 }
 
@@ -80,11 +87,12 @@ BilateralToneOptions bilateral_options(std::string_view variant, const SettingVa
   o.sigma_s_share = number(settings(), values, "sigma_s");
   o.sigma_log10 = number(settings(), values, "sigma_l");
   o.sigma_d_px = number(settings(), values, "sigma_d");
+  o.contrast = number(settings(), values, "contrast");
   o.compression = number_unless_automatic(settings(), values, "compression");
   o.brightness = number_unless_automatic(settings(), values, "brightness");
   o.foreground_scale = number_unless_automatic(settings(), values, "foreground");
   o.outliers = number(settings(), values, "outliers");
-  o.colour_exponent = number(settings(), values, "alpha");
+  o.colour_exponent = number_unless_automatic(settings(), values, "alpha");
   return o;
 }
 

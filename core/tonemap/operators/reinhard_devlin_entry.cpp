@@ -5,6 +5,10 @@ namespace plenolab {
 
 namespace {
 
+/// Log average that relative radiance is given: where the response is one half whatever the contrast m, and
+/// so the result of b = 0 neither dark nor bright.
+constexpr double kLogAverage_cd_m2 = 1;
+
 enum class LimitKind { kMeasured, kManual, kNone };
 
 const std::vector<Setting>& settings() {
@@ -19,7 +23,13 @@ const std::vector<Setting>& settings() {
        .maximum = 1,
        .help = "contrast, the exponent of the adaptation level",
        .automatic = "from the extremes and the log average of luminance"},
-      {"exposure", d.exposure, 1e-9, 1e9, "1/unit", "factor on the radiance"},
+      {.name = "exposure",
+       .default_value = d.exposure,
+       .minimum = 1e-9,
+       .maximum = 1e9,
+       .unit = "cd/m2",
+       .help = "factor on the radiance: luminance of radiance 1",
+       .automatic = "as declared; relative radiance: so that the log average is 1 cd/m2"},
       {.name = "limits",
        .default_value = 0,
        .minimum = 0,
@@ -32,13 +42,14 @@ const std::vector<Setting>& settings() {
   return table;
 }
 
-ReinhardDevlinOptions options_of(const SettingValues& values) {
+ReinhardDevlinOptions options_of(const SettingValues& values, const RadianceScale& scale) {
   ReinhardDevlinOptions o;
   o.brightness = number(settings(), values, "b");
   o.colour_adaptation = number(settings(), values, "c");
   o.light_adaptation = number(settings(), values, "l");
   o.contrast = number_unless_automatic(settings(), values, "m");
-  o.exposure = number(settings(), values, "exposure");
+  o.exposure =
+      number_unless_automatic(settings(), values, "exposure").value_or(scale.to_cd_m2(kLogAverage_cd_m2));
   return o;
 }
 
@@ -62,17 +73,20 @@ LumaLimits limits_of_scope(const ReinhardDevlinParameters& p, const FitScope& sc
   return all;
 }
 
-std::vector<FittedValue> report(double contrast, const LumaLimits& limits) {
-  return {{"contrast", contrast, ""}, {"luma_min", limits.min, "luma"}, {"luma_max", limits.max, "luma"}};
+std::vector<FittedValue> report(double contrast, double exposure, const LumaLimits& limits) {
+  return {{"contrast", contrast, ""},
+          {"exposure", exposure, "cd/m2"},
+          {"luma_min", limits.min, "luma"},
+          {"luma_max", limits.max, "luma"}};
 }
 
 FittedOperator fit_entry(std::string_view, const SettingValues& values, const FitScope& scope) {
-  const ReinhardDevlinParameters p = fit(options_of(values), scope.statistics);
+  const ReinhardDevlinParameters p = fit(options_of(values, scope.scale), scope.statistics);
   const std::optional<LumaLimits> fixed = fixed_limits(values);
   const LumaLimits limits = fixed ? *fixed : limits_of_scope(p, scope);
   FittedOperator fitted{
       [p, limits](const OperatorView& view, int threads) { return apply(p, limits, *view.colour, threads); },
-      report(p.contrast, limits),
+      report(p.contrast, p.exposure, limits),
       {}};
   if (!(limits.max > limits.min))
     fitted.notes.push_back("luma has no range to normalise: the response is shown as it is");
@@ -84,13 +98,15 @@ MappedFrame map_interpolating_results(const SettingValues& values, const FrameIn
   std::vector<ReinhardDevlinParameters> parameters;
   double contrast = 0;
   for (std::size_t i = 0; i < frame.key_views.size(); ++i) {
-    parameters.push_back(fit(options_of(values), frame.key_views[i]));
+    parameters.push_back(fit(options_of(values, frame.scale), frame.key_views[i]));
     contrast += frame.weights.at(i) * parameters.back().contrast;
   }
   Response response = respond_interpolated(parameters, frame.weights, *frame.view, frame.threads);
   const std::optional<LumaLimits> fixed = fixed_limits(values);
   const LumaLimits limits = fixed.value_or(response.limits);
-  return {normalise(std::move(response), limits, frame.threads), {}, report(contrast, limits)};
+  return {normalise(std::move(response), limits, frame.threads),
+          {},
+          report(contrast, parameters.front().exposure, limits)};
 }
 
 /// The thesis' section 5.2.2: statistics, and the limits likewise, blended and adapted in time.
@@ -98,7 +114,7 @@ MappedFrame map_interpolating_statistics(const SettingValues& values, const Fram
                                          const std::optional<FrameState>& previous) {
   MappedFrame result;
   result.state.statistics = follow_statistics(frame, previous);
-  const ReinhardDevlinParameters p = fit(options_of(values), result.state.statistics.value);
+  const ReinhardDevlinParameters p = fit(options_of(values, frame.scale), result.state.statistics.value);
   Response response = respond(p, *frame.view, frame.threads);
   const std::optional<LumaLimits> fixed = fixed_limits(values);
   const LumaLimits now = fixed.value_or(response.limits);
@@ -110,7 +126,7 @@ MappedFrame map_interpolating_statistics(const SettingValues& values, const Fram
   result.state.limit_max = follow(&FrameState::limit_max, now.max);
   const LumaLimits limits{result.state.limit_min.value, result.state.limit_max.value};
   result.mapped = normalise(std::move(response), limits, frame.threads);
-  result.values = report(p.contrast, limits);
+  result.values = report(p.contrast, p.exposure, limits);
   return result;
 }
 

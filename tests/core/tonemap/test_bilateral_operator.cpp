@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -80,8 +81,10 @@ TEST(BilateralOperator, EnhancedEqualsNaiveBitByBitWithoutDepthEdges) {
     const BilateralToneParameters p = fit(o, range_of(measure_base(naive), o.outliers), 1e-3);
     EXPECT_EQ(
         apply(p, image, &flat).image,
-        apply(BilateralToneParameters{{.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale},
-              image, nullptr)
+        apply(
+            BilateralToneParameters{
+                {.exact = slow}, 1e-3, p.compression, p.brightness, p.foreground_scale, p.colour_exponent},
+            image, nullptr)
             .image);
   }
 }
@@ -105,6 +108,35 @@ TEST(BilateralOperator, AutomaticSettingsCompressTheBasesToAContrastOfFiveBelowW
   const BilateralToneParameters narrow = fit({}, BaseRange{1, 1.5}, 1e-2);
   EXPECT_EQ(narrow.compression, 1);
   EXPECT_EQ(fit({}, BaseRange{1, 1}, 1e-2).compression, 1);
+}
+
+TEST(BilateralOperator, TheContrastOfBasesCanBeChosen) {
+  EXPECT_NEAR(fit({.contrast = 50}, BaseRange{-2, 3}, 1e-2).compression, std::log10(50) / 5, 1e-15);
+  EXPECT_EQ(fit({.contrast = 50, .compression = 0.3}, BaseRange{-2, 3}, 1e-2).compression, 0.3);
+}
+
+TEST(BilateralOperator, ColoursLoseSaturationWithCompressionAndKeepLinearRatiosWithoutIt) {
+  EXPECT_NEAR(colour_exponent_of(1), 1 / 2.2, 1e-12);
+  double previous = 0;
+  for (const double compression : {0.05, 0.1, 0.3, 0.6, 0.9, 1.0}) {
+    EXPECT_GT(colour_exponent_of(compression), previous);
+    previous = colour_exponent_of(compression);
+  }
+  EXPECT_EQ(fit({.colour_exponent = 0.7}, BaseRange{-2, 3}, 1e-2).colour_exponent, 0.7);
+  EXPECT_EQ(fit({}, BaseRange{-2, 3}, 1e-2).colour_exponent, colour_exponent_of(std::log10(5) / 5));
+}
+
+TEST(BilateralOperator, ADarkSaturatedColourBesideALightIsNotCutWithAutomaticSettings) {
+  const SceneImage image = image_of(64, 8, [](int x, int) {
+    return x < 32 ? Rgb{1e-3f, 1e-4f, 1e-4f} : Rgb{100, 100, 100};
+  });
+  const auto clipped = [&](std::optional<double> exponent) {
+    const BilateralToneOptions o{.exact = true, .colour_exponent = exponent};
+    const BaseHistogram bases = measure_base(bilateral_layers(o, image, nullptr, 1e-4));
+    return apply(fit(o, range_of(bases, o.outliers), 1e-4), image, nullptr).counts.clipped_high;
+  };
+  EXPECT_EQ(clipped(std::nullopt), 0);
+  EXPECT_GT(clipped(0.7), 0);
 }
 
 TEST(BilateralOperator, LayersAddUpToTheLogLuminance) {
@@ -170,9 +202,61 @@ TEST(BilateralOperator, MissingOrWrongDisparityAndOptionsAreErrors) {
   EXPECT_THROW((BilateralToneOptions{.sigma_s_share = 0}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.sigma_log10 = -1}.validate()), InputError);
   EXPECT_THROW((BilateralToneOptions{.compression = 1.5}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.contrast = 1}.validate()), InputError);
+  EXPECT_THROW((BilateralToneOptions{.colour_exponent = 1.5}.validate()), InputError);
   for (const double outliers : {-0.1, 0.3, std::nan("")})
     EXPECT_THROW((BilateralToneOptions{.outliers = outliers}.validate()), InputError) << outliers;
   EXPECT_THROW((BilateralToneOptions{.foreground_scale = -1}.validate()), InputError);
+}
+
+/// The same with and without leaving stages out.
+void expect_equal_pruned(BilateralToneParameters p, const SceneImage& image, const DisparityMap& disparity) {
+  p.options.prune = true;
+  const ToneMapped pruned = apply(p, image, &disparity);
+  p.options.prune = false;
+  const ToneMapped full = apply(p, image, &disparity);
+  EXPECT_EQ(pruned.image, full.image);
+  EXPECT_EQ(pruned.counts, full.counts);
+}
+
+TEST(BilateralOperator, LeavingStagesOutChangesNoBit) {
+  const SceneImage image = random_scene(48, 32);
+  const DisparityMap flat(48, 32, 7.0f);
+  DisparityMap edges = flat;
+  for (int y = 0; y < 32; ++y) edges.at(20, y) = 3;
+  for (const bool slow : {false, true})
+    for (const bool enhanced : {false, true})
+      for (const double compression : {0.4, 1.0})
+        for (const DisparityMap* disparity : std::array<const DisparityMap*, 2>{&flat, &edges}) {
+          const BilateralToneOptions o{.enhanced = enhanced, .exact = slow, .compression = compression};
+          expect_equal_pruned(fit(o, BaseRange{-1, 3}, 1e-3), image, *disparity);
+        }
+}
+
+TEST(BilateralOperator, WithoutCompressionTheTargetIsTheLuminanceThatTheLayersAddUpTo) {
+  const SceneImage image = random_scene(40, 24);
+  const BilateralToneOptions o{.compression = 1, .brightness = 0.5};
+  const BilateralLayers layers = bilateral_layers(o, image, nullptr, 1e-3);
+  const Plane<float> log = target_log_luminance(fit(o, BaseRange{0, 1}, 1e-3), layers),
+                     detail = layers.detail();
+  for (std::size_t i = 0; i < log.size(); ++i)
+    EXPECT_NEAR(log.pixels()[i], layers.base.pixels()[i] + detail.pixels()[i] - 0.5f, 1e-6f);
+}
+
+TEST(BilateralOperator, FitsFindTheSameBasesWithoutTheForegroundLayer) {
+  const SceneImage image = random_scene(48, 32);
+  DisparityMap edges(48, 32, 7.0f);
+  for (int y = 0; y < 32; ++y) edges.at(20, y) = 3;
+  const BilateralLayers all = bilateral_layers({.enhanced = true}, image, &edges, 1e-3);
+  const BilateralLayers base = bilateral_layers({.enhanced = true}, image, &edges, 1e-3, 0, false);
+  EXPECT_FALSE(all.foreground.empty());
+  EXPECT_TRUE(base.foreground.empty());
+  EXPECT_EQ(all.base, base.base);
+}
+
+TEST(BilateralOperator, LeavingTheBaseOutStillAsksForADisparityMap) {
+  const BilateralToneOptions o{.enhanced = true, .compression = 1};
+  EXPECT_THROW(apply(fit(o, BaseRange{0, 1}, 1), random_scene(8, 8), nullptr), InputError);
 }
 
 }  // namespace

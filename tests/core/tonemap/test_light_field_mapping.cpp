@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/base/error.h"
 #include "core/tonemap/light_field_mapping.h"
 #include "tests/core/tonemap/tone_images.h"
@@ -26,6 +28,23 @@ TEST(LightFieldMapping, StatisticsAreThoseOfTheViewsTogetherWithTheSmallestLumin
   EXPECT_EQ(s.all.pixels, 6 * 240);
   EXPECT_EQ(s.views[5], measure_view(field.view(2, 1)->colour));
   EXPECT_EQ(s.floor, s.views[0].min_positive);
+}
+
+TEST(LightFieldMapping, RelativeRadianceHasOneScaleForAllViewsAndFrames) {
+  const LightField declared = lit_field();
+  EXPECT_EQ(measure_light_field(declared).scale.to_cd_m2(100), 1);
+  std::vector<KeyView<SceneReferred>> views;
+  for (int i = 0; i < 6; ++i) views.push_back(*declared.view(i % 3, i / 3));
+  const LightField relative =
+      LightField::from_views(declared.grid(), RadianceUnit::kRelative, "relative", std::move(views));
+  const LightFieldStatistics s = measure_light_field(relative);
+  const double factor = s.scale.to_cd_m2(100);
+  EXPECT_NEAR(std::log10(factor) + evaluate(s.all, s.floor).log_robust_average, 2, 1e-12);
+  EXPECT_EQ(scope_of_view(relative, s, 2, 1).scale.to_cd_m2(100), factor);
+  EXPECT_EQ(scope_of_light_field(relative, s).scale.to_cd_m2(100), factor);
+  FrameInput frame;
+  set_key_views(s, relative.grid(), {0.5, 0.5}, frame);
+  EXPECT_EQ(frame.scale.to_cd_m2(100), factor);
 }
 
 TEST(LightFieldMapping, EveryVariantMapsEveryViewOnceInOrder) {

@@ -5,6 +5,8 @@
 
 #include "core/base/error.h"
 #include "core/image/colour.h"
+#include "core/tonemap/colour_ratio.h"
+#include "core/tonemap/histogram_adjustment.h"
 #include "core/tonemap/operator.h"
 #include "tests/core/tonemap/tone_images.h"
 
@@ -246,6 +248,75 @@ TEST(OperatorTable, FramesAdaptInTimeAndForgetAtACut) {
       return static_cast<double>(luminance(f.mapped.image.at(20, 12)));
     };
     EXPECT_LT(std::abs(grey(next) - grey(dark)), std::abs(grey(cut) - grey(dark))) << id;
+  }
+}
+
+TEST(OperatorTable, TheUnitOfRelativeRadianceDoesNotMatterAndThatOfDeclaredRadianceDoes) {
+  const SceneImage image = random_scene(48, 32, 5);
+  SceneImage brighter = image;
+  for (Rgb& c : brighter.pixels()) c = 1024.0f * c;
+  const auto map = [](const OperatorInfo& info, const SceneImage& view, std::optional<double> unit) {
+    const OperatorView shown{std::make_shared<SceneImage>(view), nullptr};
+    return info.fit("naive", {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
+  };
+  const auto largest_difference = [](const DisplayImage& a, const DisplayImage& b) {
+    float most = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      most = std::max(most, std::abs(luminance(a.pixels()[i]) - luminance(b.pixels()[i])));
+    return most;
+  };
+  for (const char* id : {"histogram", "reinhard05"}) {
+    const OperatorInfo& info = find_operator(id);
+    EXPECT_LT(largest_difference(map(info, image, std::nullopt), map(info, brighter, std::nullopt)), 0.002f)
+        << id;
+    EXPECT_GT(largest_difference(map(info, image, 1.0), map(info, brighter, 1.0)), 0.05f) << id;
+    EXPECT_LT(largest_difference(map(info, image, 1024.0), map(info, brighter, 1.0)), 0.002f) << id;
+  }
+}
+
+TEST(OperatorTable, AUnitThatIsSetIsTakenWhateverIsDeclared) {
+  const SceneImage image = random_scene(24, 16, 5);
+  const OperatorView view{std::make_shared<SceneImage>(image), nullptr};
+  for (const auto& [id, name] : {std::pair{"histogram", "unit"}, std::pair{"reinhard05", "exposure"}}) {
+    const OperatorInfo& info = find_operator(id);
+    const SettingValues set{{name, {.number = 3}}};
+    const auto map = [&](const SettingValues& values, std::optional<double> unit) {
+      return info.fit("naive", values, scope_of_image(view, 1, unit)).apply(view, 1).image;
+    };
+    EXPECT_EQ(map(set, std::nullopt), map(set, 1.0)) << id;
+    EXPECT_EQ(map(set, std::nullopt), map({}, 3.0)) << id;
+  }
+}
+
+TEST(OperatorTable, ARangeThatFitsTheDisplayIsMappedWithoutReadingViewsForTheHistogram) {
+  const SceneImage image = random_scene(48, 32, 2);
+  const OperatorView view{std::make_shared<SceneImage>(image), nullptr};
+  FitScope scope = scope_of_image(view, 1);
+  const HistogramOptions options;
+  const LogHistogram histogram =
+      measure_histogram(image, scope.floor, scope.statistics.log_min, scope.statistics.log_max, options.bins);
+  const DisplayImage full = apply(fit(options, histogram, scope.floor), image).image;
+  scope.load = [](int) -> OperatorView {
+    ADD_FAILURE() << "a view was read";
+    return {};
+  };
+  EXPECT_EQ(find_operator("histogram").fit("naive", {}, scope).apply(view, 1).image, full);
+}
+
+TEST(ColourRatio, RunsOfColourlessPixelsGiveTheSameBitsAndCountsAsThreeChannels) {
+  for (const int colourless : {0, 5, 16, 40, 67}) {
+    const SceneImage image = random_scene(67, 1);
+    std::vector<Rgb> scene(image.pixels().begin(), image.pixels().end());
+    for (int x = 0; x < colourless; ++x) {
+      const float level = x % 7 == 0 ? 0.0f : scene[static_cast<std::size_t>(x)].g;
+      scene[static_cast<std::size_t>(x)] = {level, level, level};
+    }
+    std::vector<float> luma(scene.size());
+    for (std::size_t i = 0; i < luma.size(); ++i) luma[i] = 0.02f * static_cast<float>(i);
+    std::vector<Rgb> pruned(scene.size()), full(scene.size());
+    EXPECT_EQ(apply_colour_ratio(scene, luma, 0.7, pruned, true),
+              apply_colour_ratio(scene, luma, 0.7, full, false));
+    EXPECT_EQ(pruned, full) << colourless;
   }
 }
 
