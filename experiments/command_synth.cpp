@@ -142,6 +142,7 @@ void synthesize_and_write(const BasicLightField<Referral>& field, const SynthOpt
   SynthesisOptions synthesis = options.synthesis;
   synthesis.threads = options.common.threads;
   synthesis.record_provenance = !options.provenance.empty() || !options.inspect.empty();
+  synthesis.count_probes = synthesis.record_provenance;
   const NovelView<Referral> view = synthesize(field, position, synthesis);
   ResultTable table = summary(view);
   if (inspected) table.append(inspect_pixel(view, *inspected));

@@ -44,7 +44,8 @@ struct SynthesisOptions {
   CameraKind camera = CameraKind::kShiftedFrustum;
   double screen_depth_m = 0;  ///< z_s of the fixed screen, > 0 (∞ allowed); ignored by the shifted frustum
   bool prune = true;          ///< leave out stages that provably cannot change the result (NovelView::pruned)
-  bool record_provenance = false;  ///< fill NovelView::provenance (costs memory and time)
+  bool record_provenance = false;  ///< fill NovelView::provenance (costs memory)
+  bool count_probes = false;       ///< and Correspondence::probes: searches pixel by pixel, which is slow
   int threads = 0;                 ///< 0 = all cores; results do not depend on it
 
   /// Throws InputError with one sentence that names the first value out of range.

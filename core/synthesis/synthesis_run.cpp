@@ -235,7 +235,8 @@ class Run {
   SearchCounts search(std::size_t v, const Patch& patch, PatchHits& hits) {
     const PreparedView& prepared = *input_.prepared[v];
     SearchCounts counts;
-    if (options_.search == SearchKind::kFast && !options_.record_provenance)
+    const bool count_probes = options_.record_provenance && options_.count_probes;
+    if (options_.search == SearchKind::kFast && !count_probes)
       return search_patch(prepared, plan_.paths[v], plan_.occupancies[v], patch, hits);
     for (int y = patch.y; y < patch.y + patch.height; ++y)
       for (int x = patch.x; x < patch.x + patch.width; ++x) {
@@ -243,7 +244,7 @@ class Run {
         const Hit hit = search_pixel(prepared, plan_.paths[v], candidates(v, x, y), x, y, pixel);
         hits.set((y - patch.y) * Patch::kMaxWidth + x - patch.x, hit);
         counts += pixel;
-        if (options_.record_provenance)
+        if (count_probes)
           out_.provenance.at(x, y)[v].probes =
               static_cast<std::uint16_t>(std::min<std::uint64_t>(pixel.samples + pixel.refine, 65535));
       }

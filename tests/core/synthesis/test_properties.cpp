@@ -230,7 +230,10 @@ TEST(Synthesis, RecordsWhatBecameOfEveryCorrespondence) {
   SynthesisOptions options;
   const auto plain = synthesize(field, {0.6, 0.3}, options);
   options.record_provenance = true;
+  const auto uncounted = synthesize(field, {0.6, 0.3}, options);
+  options.count_probes = true;
   const auto recorded = synthesize(field, {0.6, 0.3}, options);
+  expect_same(plain, uncounted);
   expect_same(plain, recorded);
   EXPECT_EQ(plain.statistics.search_samples, recorded.statistics.search_samples);
   std::uint64_t probes = 0;
