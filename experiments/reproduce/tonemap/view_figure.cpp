@@ -50,20 +50,22 @@ void add_enlarged(ReproductionResult& result, const std::string& name, const std
   result.add_comparison(name, std::move(shown));
 }
 
+void keep_densest(StepPlace& place, std::size_t index, const Plane<float>& weights) {
+  const PixelBox box = densest_box(weights, crop_size(weights.width(), weights.height()));
+  double sum = 0;
+  for (int y = box.y; y < box.y + box.height; ++y)
+    for (int x = box.x; x < box.x + box.width; ++x) sum += static_cast<double>(weights.at(x, y));
+  if (sum > place.sum) place = {index, box, sum};
+}
+
 StepPlace largest_steps(std::span<const ReferenceFrame> frames, std::span<const DisplayImage> mapped,
                         std::span<const DisplayImage> other) {
   PLENOLAB_CHECK(!frames.empty() && mapped.size() == frames.size() && other.size() == frames.size(),
                  "one image of each mapping for each frame");
-  StepPlace most{.index = 0, .box = {}, .sum = -1};
-  for (std::size_t i = 0; i < frames.size(); ++i) {
-    const Plane<float> weights = border_step_weights(luma_difference(mapped[i], other[i]), frames[i]);
-    const PixelBox box = densest_box(weights, crop_size(weights.width(), weights.height()));
-    double sum = 0;
-    for (int y = box.y; y < box.y + box.height; ++y)
-      for (int x = box.x; x < box.x + box.width; ++x) sum += static_cast<double>(weights.at(x, y));
-    if (sum > most.sum) most = {i, box, sum};
-  }
-  return most;
+  StepPlace place;
+  for (std::size_t i = 0; i < frames.size(); ++i)
+    keep_densest(place, i, border_step_weights(luma_difference(mapped[i], other[i]), frames[i]));
+  return place;
 }
 
 void add_view(ReproductionResult& result, const ViewPictures& pictures) {

@@ -20,15 +20,18 @@ void add_enlarged(ReproductionResult& result, const std::string& name, const std
                   const SceneImage& hdr, const std::vector<ReportImage>& mapped, const PixelBox& box,
                   const std::vector<ReportImage>& maps = {});
 
-/// Where two mappings differ most across borders of visibility.
+/// Where an effect at borders of visibility shows most.
 struct StepPlace {
   std::size_t index = 0;  ///< of the frame
   PixelBox box;           ///< the crop (crop_size) with most of it
-  double sum = 0;         ///< of squared steps of the difference inside the box
+  double sum = -1;        ///< of weights inside the box; < 0 as long as no frame was looked at
 };
 
+/// Takes frame `index` if one of its boxes holds more weight (border_step_weights) than the place so far.
+void keep_densest(StepPlace& place, std::size_t index, const Plane<float>& weights);
+
 /// Among frames mapped in two ways, in the same order: the steps of the difference of their lumas, which
-/// texture that both show alike leaves out. At least one frame.
+/// leaves out texture that both show alike. At least one frame.
 StepPlace largest_steps(std::span<const ReferenceFrame> frames, std::span<const DisplayImage> mapped,
                         std::span<const DisplayImage> other);
 

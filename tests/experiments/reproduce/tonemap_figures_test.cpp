@@ -81,6 +81,22 @@ TEST(BorderStepWeights, AreTheSquaredStepsAtTheBorderAlone) {
     }
 }
 
+TEST(LargestSteps, AreFoundInTheFrameWhereOneMappingStepsAndTheOtherDoesNot) {
+  constexpr int kSize = 40;
+  DisplayImage even(kSize, kSize), stepped(kSize, kSize);
+  for (int y = 0; y < kSize; ++y)
+    for (int x = 0; x < kSize; ++x) {
+      const float texture = 0.3f + 0.01f * static_cast<float>(y % 5);
+      even.at(x, y) = {texture, texture, texture};
+      stepped.at(x, y) = even.at(x, y) + (x < kSize / 2 ? Rgb{} : Rgb{0.1f, 0.1f, 0.1f});
+    }
+  const std::vector<ReferenceFrame> frames{halves(kSize), halves(kSize)};
+  const StepPlace place = largest_steps(frames, std::vector{even, stepped}, std::vector{even, even});
+  EXPECT_EQ(place.index, 1u);
+  EXPECT_TRUE(place.box.x <= kSize / 2 - 1 && kSize / 2 - 1 < place.box.x + place.box.width);
+  EXPECT_NEAR(place.sum, 0.01 * place.box.height, 1e-4);
+}
+
 TEST(RaiseContrast, SpreadsTheRangeOfLuma) {
   DisplayImage image(10, 10);
   for (std::size_t n = 0; n < image.size(); ++n) {
