@@ -161,19 +161,22 @@ void add_numbers(ReproductionResult& result, const MotionStudy& study) {
   }
   ReportTable table = wide_table(
       rows, {"mapping"},
-      {{"adaptation_range", "adaptation [luma]"},
-       {"adaptation_step_max", "largest step [luma]"},
-       {"adaptation_frames", "duration [frames]"},
-       {"adaptation_before_event", "share before"},
-       {"line_change_rms", "change along lines, RMS [luma]"},
-       {"border_excess", "borders over HDR"},
-       {"motion_luma_step_max", "largest step of mean luma"}},
+      {{"adaptation_range", "range"},
+       {"adaptation_step_max", "step"},
+       {"adaptation_frames", "frames"},
+       {"adaptation_before_event", "before"},
+       {"line_change_rms", "lines"},
+       {"border_excess", "borders"},
+       {"motion_luma_step_max", "mean luma"}},
       fmt::format(
-          "Consistency over {} frames, {} a spacing. Adaptation: range of the second plot. Duration: of "
-          "the steepest change, were it all as steep. Share before: of the changes within one spacing of "
-          "the event, those ahead of it. Borders over HDR: 1 where mapping adds nothing at borders of "
-          "visibility",
+          "Consistency over {} frames, {} a spacing; variants without a name: Reinhard 2005. Luma of "
+          "surfaces "
+          "under the same light: its range, the largest step from frame to frame, the frames that the change "
+          "around it would take at that rate, the share of changes within one spacing of the event that lies "
+          "before it, and the RMS change along epipolar lines. Borders: steps at borders of visibility over "
+          "those of the HDR frames. Mean luma: its largest step",
           study.recording->frames.size(), frames_per_spacing(study.recording->motion)));
+  for (std::vector<Cell>& row : table.rows) row[0] = without_operator(std::get<std::string>(row[0]));
   table.digits = 3;
   result.add_table(std::move(table));
   result.rows.append(rows);
@@ -181,8 +184,7 @@ void add_numbers(ReproductionResult& result, const MotionStudy& study) {
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == parts.size() ? " and " : ", ") + parts[i];
+  for (std::size_t i = 0; i < parts.size(); ++i) text += (i == 0 ? "" : "; ") + parts[i];
   return text;
 }
 
@@ -242,17 +244,17 @@ std::string pace_words(const MotionStudy& study) {
     std::vector<std::string> parts;
     for (const MotionShown& m : study.mappings)
       if (m.adaptation.pace == pace)
-        parts.push_back(fmt::format("{} ({:.3f} in all, at most {:.4f} a frame, at {:.2f})", m.mapping.label,
-                                    m.adaptation.range, m.adaptation.largest_step,
+        parts.push_back(fmt::format("{} ({:.3f} in all, at most {:.4f} a frame, at {:.2f})",
+                                    without_operator(m.mapping.label), m.adaptation.range,
+                                    m.adaptation.largest_step,
                                     position_of(*study.recording, m.adaptation.steepest)));
-    if (!parts.empty()) text += (text.empty() ? "" : " ") + start + " with " + joined(parts) + ".";
+    if (!parts.empty()) text += fmt::format(" {}: {}.", start, joined(parts));
   };
   group(Pace::kAbrupt,
-        "Luma of surfaces under the same light changes abruptly (visibly from frame to frame, in less than "
-        "half the way between two key views)");
+        "Abruptly (visibly from frame to frame, in less than half the way between two key views)");
   group(Pace::kGradual, "Gradually");
   group(Pace::kSteady, "By less than one step of an 8-bit display between two key views");
-  return text;
+  return "Luma of surfaces under the same light changes (variants without a name: Reinhard 2005):" + text;
 }
 
 std::string event_words(const MotionStudy& study) {
@@ -262,14 +264,16 @@ std::string event_words(const MotionStudy& study) {
   std::string text =
       fmt::format("The largest luminance of a frame changes most at {:.2f}, by {:+.2f} log10 units.",
                   position_of(recording, recording.event), step);
-  const double before = position_of(recording, recording.event - 1);
-  if (step < 0 && std::abs(before - std::round(before)) < 1e-6)
+  const auto whole = [](double v) { return std::abs(v - std::round(v)) < 1e-6; };
+  const CameraPosition& before = recording.frames[recording.event - 1].position;
+  if (step < 0 && whole(before.s) && whole(before.t))
     text +=
         " The frame before it is a key view; frames between key views average what only one of them shows.";
   std::vector<std::string> parts;
   for (const MotionShown& m : study.mappings)
     if (m.adaptation.share_before)
-      parts.push_back(fmt::format("{} {}", percent(*m.adaptation.share_before), m.mapping.label));
+      parts.push_back(
+          fmt::format("{} {}", percent(*m.adaptation.share_before), without_operator(m.mapping.label)));
   if (!parts.empty())
     text += fmt::format(" Of all changes within one spacing of that event, those ahead of it are: {}.",
                         joined(parts));
@@ -282,12 +286,12 @@ std::string comparison_words(const MotionStudy& study, const std::vector<Expecte
     const MotionShown& m = study.of(e.shown);
     const bool same = std::find(e.paces.begin(), e.paces.end(), m.adaptation.pace) != e.paces.end();
     (same ? agree : differ)
-        .push_back(fmt::format("{} ({}{})", m.mapping.label, name_of(m.adaptation.pace),
+        .push_back(fmt::format("{} ({}{})", without_operator(m.mapping.label), name_of(m.adaptation.pace),
                                same ? "" : fmt::format(" here, {} there", name_of(e.paces.front()))));
   }
   std::string text;
-  if (!agree.empty()) text += "They agree on " + joined(agree) + ".";
-  if (!differ.empty()) text += (text.empty() ? "" : " ") + ("They differ on " + joined(differ) + ".");
+  if (!agree.empty()) text += "They agree on: " + joined(agree) + ".";
+  if (!differ.empty()) text += (text.empty() ? "" : " ") + ("They differ on: " + joined(differ) + ".");
   return text;
 }
 
