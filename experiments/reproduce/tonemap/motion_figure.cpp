@@ -166,15 +166,14 @@ void add_numbers(ReproductionResult& result, const MotionStudy& study) {
        {"adaptation_frames", "frames"},
        {"adaptation_before_event", "before"},
        {"line_change_rms", "lines"},
-       {"border_excess", "borders"},
-       {"motion_luma_step_max", "mean luma"}},
+       {"border_excess", "borders"}},
       fmt::format(
           "Consistency over {} frames, {} a spacing; variants without a name: Reinhard 2005. Luma of "
           "surfaces "
           "under the same light: its range, the largest step from frame to frame, the frames that the change "
           "around it would take at that rate, the share of changes within one spacing of the event that lies "
           "before it, and the RMS change along epipolar lines. Borders: steps at borders of visibility over "
-          "those of the HDR frames. Mean luma: its largest step",
+          "those of the HDR frames",
           study.recording->frames.size(), frames_per_spacing(study.recording->motion)));
   for (std::vector<Cell>& row : table.rows) row[0] = without_operator(std::get<std::string>(row[0]));
   table.digits = 3;
@@ -254,7 +253,9 @@ std::string pace_words(const MotionStudy& study) {
         "Abruptly (visibly from frame to frame, in less than half the way between two key views)");
   group(Pace::kGradual, "Gradually");
   group(Pace::kSteady, "By less than one step of an 8-bit display between two key views");
-  return "Luma of surfaces under the same light changes (variants without a name: Reinhard 2005):" + text;
+  return "Luma of surfaces under the same light changes as follows (variants without a name: Reinhard "
+         "2005)." +
+         text;
 }
 
 std::string event_words(const MotionStudy& study) {
