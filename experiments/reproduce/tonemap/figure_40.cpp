@@ -50,8 +50,8 @@ std::vector<BorderFrame> views_near_key_views(Laboratory& laboratory) {
 
 /// Difference of a mapping's luma from joint statistics, synthesised with the same weights: what the fits of
 /// single key views add.
-Plane<float> added_luma(MappingBench& bench, const Mapping& mapping, const ReferenceFrame& frame) {
-  Mapping joint = mapping_for(bench, kScene, Shown::kReinhardJoint);
+Plane<float> added_luma(MappingBench& bench, const Mapping& mapping, Mapping joint,
+                        const ReferenceFrame& frame) {
   joint.border_weight = mapping.border_weight;
   const std::span<const ReferenceFrame> one(&frame, 1);
   return luma_difference(bench.frames(kScene, mapping, one).front(),
@@ -82,10 +82,11 @@ struct BorderView {
   double region = 0;  ///< FrameInconsistency::border_region
 };
 
-BorderView border_view(MappingBench& bench, const Mapping& mapping, const BorderFrame& frame) {
+BorderView border_view(MappingBench& bench, const Mapping& mapping, const Mapping& joint,
+                       const BorderFrame& frame) {
   const std::span<const ReferenceFrame> one(&frame.reference, 1);
   return {mapping.label, bench.frames(kScene, mapping, one).front(),
-          end_step(added_luma(bench, mapping, frame.reference), frame),
+          end_step(added_luma(bench, mapping, joint, frame.reference), frame),
           frame_inconsistencies(bench, kScene, mapping, with_one_fit(mapping), one).front().border_region};
 }
 
@@ -101,9 +102,9 @@ std::size_t strongest_region(MappingBench& bench, const Mapping& naive,
 
 /// The part of the view where border weights change most of what the naive mapping adds.
 PixelBox part_that_weights_change(MappingBench& bench, const Mapping& naive, const Mapping& unweighted,
-                                  const ReferenceFrame& frame) {
-  Plane<float> change = added_luma(bench, naive, frame);
-  const Plane<float> without = added_luma(bench, unweighted, frame);
+                                  const Mapping& joint, const ReferenceFrame& frame) {
+  Plane<float> change = added_luma(bench, naive, joint, frame);
+  const Plane<float> without = added_luma(bench, unweighted, joint, frame);
   for (std::size_t n = 0; n < change.size(); ++n) {
     const float difference = change.pixels()[n] - without.pixels()[n];
     change.pixels()[n] = difference * difference;
@@ -145,19 +146,21 @@ ReproductionResult reproduce_border_regions(Laboratory& laboratory) {
       "adjustment removes both.";
   MappingBench& bench = laboratory.mapping_bench();
   const std::vector<BorderFrame> frames = views_near_key_views(laboratory);
-  const Mapping naive = mapping_for(bench, kScene, Shown::kReinhardNaive);
+  const Mapping naive = mapping_for(bench, kScene, Shown::kReinhardNaive),
+                joint = mapping_for(bench, kScene, Shown::kReinhardJoint);
   Mapping unweighted = naive;
   unweighted.label += ", no border weights";
   unweighted.border_weight = BorderWeight::kNone;
   const BorderFrame& chosen = frames[strongest_region(bench, naive, frames)];
   const ReferenceFrame& frame = chosen.reference;
-  const std::array views{border_view(bench, naive, chosen), border_view(bench, unweighted, chosen),
-                         border_view(bench, mapping_for(bench, kScene, Shown::kReinhardAdjusted), chosen)};
+  const std::array views{
+      border_view(bench, naive, joint, chosen), border_view(bench, unweighted, joint, chosen),
+      border_view(bench, mapping_for(bench, kScene, Shown::kReinhardAdjusted), joint, chosen)};
   ViewPictures pictures{.what = laboratory.scene(kScene).title,
                         .frame = &frame,
                         .mapped = {},
                         .maps = {visibility_at(laboratory, kScene, frame.position)},
-                        .box = part_that_weights_change(bench, naive, unweighted, frame),
+                        .box = part_that_weights_change(bench, naive, unweighted, joint, frame),
                         .choice =
                             "Of the views a tenth of a spacing from the corners of every cell, the one whose "
                             "border region naive "
