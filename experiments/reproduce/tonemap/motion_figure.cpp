@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "analysis/epi.h"
 #include "core/base/error.h"
@@ -66,16 +65,16 @@ void add_frames(ReproductionResult& result, const MotionStudy& study, bool event
   const std::size_t frame = event ? recording.event : recording.event - 1;
   const float exposure = figure_exposure(recording.frames[recording.event].hdr);
   const std::string what =
-      fmt::format("{} from {}, the frame {}", study.title, name_of(recording.frames[frame].position),
-                  event ? "after the largest change of peak luminance" : "before it");
+      fmt::format("{} from {}, the frame {} the largest change of peak luminance", study.title,
+                  name_of(recording.frames[frame].position), event ? "after" : "before");
   ImageComparison shown{
-      fmt::format("{}. Green: the {} of the epipolar images", what,
-                  recording.motion.vertical() ? "column" : "row"),
+      fmt::format("{}. Green: the {} of the epipolar images. {}", what,
+                  recording.motion.vertical() ? "column" : "row", kShortLabels),
       what + ", tone mapped in several ways",
       {{"HDR, one exposure", mark_cut(expose(recording.frames[frame].hdr, exposure), recording)}}};
   for (const MotionShown& m : study.mappings)
     shown.images.push_back(
-        {m.mapping.label, mark_cut(event ? m.motion->event : m.motion->before, recording)});
+        {short_label(m.mapping.label), mark_cut(event ? m.motion->event : m.motion->before, recording)});
   for (const ReportImage& map : maps) shown.images.push_back({map.label, mark_cut(map.image, recording)});
   result.add_comparison(event ? "event" : "before", std::move(shown));
 }
@@ -88,19 +87,13 @@ void add_epis(ReproductionResult& result, const MotionStudy& study, const std::v
                   vertical ? "column" : "row", recording.epi_line, recording.frames.size(),
                   name_of(recording.motion.from), vertical ? "left" : "top", name_of(recording.motion.to));
   const float exposure = figure_exposure(recording.frames[recording.event].hdr);
-  ImageComparison shown{what + ". Green: the two frames shown above",
+  ImageComparison shown{what + ". Green: the two frames shown above. " + kShortLabels,
                         what,
                         {{"HDR, one exposure", finish_epi(hdr_epi(recording, exposure), recording)}}};
   for (const MotionShown& m : study.mappings)
-    shown.images.push_back({m.mapping.label, finish_epi(m.motion->epi, recording)});
+    shown.images.push_back({short_label(m.mapping.label), finish_epi(m.motion->epi, recording)});
   for (const ReportImage& map : maps) shown.images.push_back({map.label, finish_epi(map.image, recording)});
   result.add_comparison("epi", std::move(shown));
-}
-
-/// Keys of plots must be short.
-std::string without_operator(const std::string& label) {
-  constexpr std::string_view kOperator = "Reinhard 2005, ";
-  return label.starts_with(kOperator) ? label.substr(kOperator.size()) : label;
 }
 
 /// One line for each mapping; the frame of the event is ringed.
@@ -118,7 +111,7 @@ ReportPlot track_plot(const MotionStudy& study, const std::string& y, const std:
   plot.marked_title = "light changes";
   plot.width_px = 960;
   for (const MotionShown& m : study.mappings) {
-    PlotSeries series{without_operator(m.mapping.label), PlotSeries::Style::kLines, {}};
+    PlotSeries series{short_label(m.mapping.label), PlotSeries::Style::kLines, {}};
     const std::vector<double> values = track(*m.motion);
     for (std::size_t i = 0; i < values.size(); ++i)
       series.points.push_back({.x = position_of(recording, i),
@@ -129,8 +122,7 @@ ReportPlot track_plot(const MotionStudy& study, const std::string& y, const std:
                                .marked = i == recording.event});
     plot.series.push_back(std::move(series));
   }
-  return {std::move(plot),
-          fmt::format("{}: {}. Variants without a name: Reinhard 2005", study.title, caption),
+  return {std::move(plot), fmt::format("{}: {}. {}", study.title, caption, kShortLabels),
           y + " over the camera position"};
 }
 
@@ -175,7 +167,7 @@ void add_numbers(ReproductionResult& result, const MotionStudy& study) {
           "before it, and the RMS change along epipolar lines. Borders: steps at borders of visibility over "
           "those of the HDR frames",
           study.recording->frames.size(), frames_per_spacing(study.recording->motion)));
-  for (std::vector<Cell>& row : table.rows) row[0] = without_operator(std::get<std::string>(row[0]));
+  for (std::vector<Cell>& row : table.rows) row[0] = short_label(std::get<std::string>(row[0]));
   table.digits = 3;
   result.add_table(std::move(table));
   result.rows.append(rows);
@@ -244,7 +236,7 @@ std::string pace_words(const MotionStudy& study) {
     for (const MotionShown& m : study.mappings)
       if (m.adaptation.pace == pace)
         parts.push_back(fmt::format("{} ({:.3f} in all, at most {:.4f} a frame, at {:.2f})",
-                                    without_operator(m.mapping.label), m.adaptation.range,
+                                    short_label(m.mapping.label), m.adaptation.range,
                                     m.adaptation.largest_step,
                                     position_of(*study.recording, m.adaptation.steepest)));
     if (!parts.empty()) text += fmt::format(" {}: {}.", start, joined(parts));
@@ -274,7 +266,7 @@ std::string event_words(const MotionStudy& study) {
   for (const MotionShown& m : study.mappings)
     if (m.adaptation.share_before)
       parts.push_back(
-          fmt::format("{} {}", percent(*m.adaptation.share_before), without_operator(m.mapping.label)));
+          fmt::format("{} {}", percent(*m.adaptation.share_before), short_label(m.mapping.label)));
   if (!parts.empty())
     text += fmt::format(" Of all changes within one spacing of that event, those ahead of it are: {}.",
                         joined(parts));
@@ -287,7 +279,7 @@ std::string comparison_words(const MotionStudy& study, const std::vector<Expecte
     const MotionShown& m = study.of(e.shown);
     const bool same = std::find(e.paces.begin(), e.paces.end(), m.adaptation.pace) != e.paces.end();
     (same ? agree : differ)
-        .push_back(fmt::format("{} ({}{})", without_operator(m.mapping.label), name_of(m.adaptation.pace),
+        .push_back(fmt::format("{} ({}{})", short_label(m.mapping.label), name_of(m.adaptation.pace),
                                same ? "" : fmt::format(" here, {} there", name_of(e.paces.front()))));
   }
   std::string text;

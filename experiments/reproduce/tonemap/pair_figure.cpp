@@ -77,17 +77,18 @@ void add_pair(ReproductionResult& result, const KeyViewPair& pair, const std::ve
       fmt::format(
           "{}: {}, the neighbours that naive Reinhard 2005 changes most. Change: from the first to the "
           "second along epipolar lines, grey none, white +{:.3f} luma; blue where the second view "
-          "shows another surface or another luminance (by more than 0.02 log10 units, noise included){}",
+          "shows another surface or another luminance (by more than 0.02 log10 units, noise included){}. {}",
           pair.title, place_of(pair), 0.5 / kChangeGain,
           factor ? fmt::format(". Factor: of luma by the adjustment, grey 1, white {:.3f}",
                                1 + 0.5 / kFactorGain)
-                 : ""),
+                 : "",
+          kShortLabels),
       pair.title + ", two neighbouring key views",
       {}};
   for (const MappedPair& m : mapped) {
-    shown.images.push_back({m.label + ", first", m.first});
-    shown.images.push_back({m.label + ", second", m.second});
-    shown.images.push_back({m.label + ", change", change_picture(m.changes)});
+    shown.images.push_back({"First, " + short_label(m.label), m.first});
+    shown.images.push_back({"Second, " + short_label(m.label), m.second});
+    shown.images.push_back({"Change, " + short_label(m.label), change_picture(m.changes)});
   }
   if (factor) {
     shown.images.push_back({"Factor, first", factor_picture(mapped.front().first, mapped.back().first)});

@@ -44,7 +44,8 @@ void add_enlarged(ReproductionResult& result, const std::string& name, const std
                   what, box.width, box.height, box.x, box.y, kMagnification),
       what + ", enlarged",
       {{"HDR, one exposure", part(expose(hdr, crop_exposure(hdr, box)))}}};
-  for (const ReportImage& image : mapped) shown.images.push_back({image.label, part(image.image)});
+  for (const ReportImage& image : mapped)
+    shown.images.push_back({short_label(image.label), part(image.image)});
   for (const ReportImage& map : maps)
     shown.images.push_back({map.label, magnify(crop(map.image, box), kMagnification)});
   result.add_comparison(name, std::move(shown));
@@ -70,12 +71,16 @@ StepPlace largest_steps(std::span<const ReferenceFrame> frames, std::span<const 
 
 void add_view(ReproductionResult& result, const ViewPictures& pictures) {
   const SceneImage& hdr = pictures.frame->hdr;
+  const bool shortened =
+      std::any_of(pictures.mapped.begin(), pictures.mapped.end(),
+                  [](const ReportImage& image) { return short_label(image.label) != image.label; });
   const std::string what = fmt::format("{} from {}", pictures.what, name_of(pictures.frame->position));
-  ImageComparison shown{fmt::format("{}. Red: the part enlarged below. {}", what, pictures.choice),
+  ImageComparison shown{fmt::format("{}. Red: the part enlarged below. {}{}", what, pictures.choice,
+                                    shortened ? fmt::format(". {}", kShortLabels) : ""),
                         what + ", tone mapped in several ways",
                         {{"HDR, one exposure", mark_box(expose(hdr, figure_exposure(hdr)), pictures.box)}}};
   for (const ReportImage& image : pictures.mapped)
-    shown.images.push_back({image.label, mark_box(image.image, pictures.box)});
+    shown.images.push_back({short_label(image.label), mark_box(image.image, pictures.box)});
   for (const ReportImage& map : pictures.maps) shown.images.push_back(map);
   result.add_comparison("view", std::move(shown));
   add_enlarged(result, "crop", what, hdr, pictures.mapped, pictures.box, pictures.maps);
