@@ -98,6 +98,18 @@ std::optional<double> change_at(const Planes& from, const Planes& to, const View
   return static_cast<double>(bilinear(to.luma, *cell) - from.luma.at(x, y));
 }
 
+/// Of two views of equal size.
+std::pair<Planes, Planes> planes_of_pair(const ConsistencyView& from, const ConsistencyView& to,
+                                         const ConsistencyOptions& options) {
+  options.validate();
+  std::pair<Planes, Planes> planes{planes_of(from, options.threads), planes_of(to, options.threads)};
+  const auto& [a, b] = planes;
+  if (a.luma.width() != b.luma.width() || a.luma.height() != b.luma.height())
+    throw InputError(fmt::format("the views are {} × {} and {} × {} pixels; they must be equal",
+                                 a.luma.width(), a.luma.height(), b.luma.width(), b.luma.height()));
+  return planes;
+}
+
 /// Sums of absolute differences between neighbours.
 struct PairSums {
   std::int64_t pairs = 0;
@@ -157,15 +169,24 @@ void ConsistencyOptions::validate() const {
     throw InputError(fmt::format("same_light_log10 is {} but must be a positive number", same_light_log10));
 }
 
+Plane<float> change_map_along_lines(const ConsistencyView& from, const ConsistencyView& to,
+                                    const ViewMotion& motion, const ConsistencyOptions& options) {
+  const auto [a, b] = planes_of_pair(from, to, options);
+  Plane<float> changes(a.luma.width(), a.luma.height());
+  parallel_for(a.luma.height(), kRows, options.threads, [&, &a = a, &b = b](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < a.luma.width(); ++x)
+        changes.at(x, y) = static_cast<float>(
+            change_at(a, b, motion, x, y, options).value_or(std::numeric_limits<double>::quiet_NaN()));
+  });
+  return changes;
+}
+
 LineChange change_along_lines(const ConsistencyView& from, const ConsistencyView& to,
                               const ViewMotion& motion, const ConsistencyOptions& options) {
-  options.validate();
-  const Planes a = planes_of(from, options.threads), b = planes_of(to, options.threads);
-  if (a.luma.width() != b.luma.width() || a.luma.height() != b.luma.height())
-    throw InputError(fmt::format("the views are {} × {} and {} × {} pixels; they must be equal",
-                                 a.luma.width(), a.luma.height(), b.luma.width(), b.luma.height()));
+  const auto [a, b] = planes_of_pair(from, to, options);
   std::vector<Sums> rows(static_cast<std::size_t>(a.luma.height()));
-  parallel_for(a.luma.height(), kRows, options.threads, [&](int begin, int end) {
+  parallel_for(a.luma.height(), kRows, options.threads, [&, &a = a, &b = b](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < a.luma.width(); ++x) {
         const std::optional<double> change = change_at(a, b, motion, x, y, options);

@@ -57,6 +57,10 @@ struct LineChange {
 LineChange change_along_lines(const ConsistencyView& from, const ConsistencyView& to,
                               const ViewMotion& motion, const ConsistencyOptions& options = {});
 
+/// The single changes behind change_along_lines, at the pixels of `from`; NaN where a pixel takes no part.
+Plane<float> change_map_along_lines(const ConsistencyView& from, const ConsistencyView& to,
+                                    const ViewMotion& motion, const ConsistencyOptions& options = {});
+
 /// Mean absolute differences of neighbouring pixels of one surface, across visibility borders and elsewhere.
 struct BorderChange {
   std::int64_t border_pairs = 0, inside_pairs = 0;

@@ -85,6 +85,11 @@ DisplayImage mark_row(DisplayImage image, int row, Rgb colour) {
   return image;
 }
 
+DisplayImage mark_column(DisplayImage image, int column, Rgb colour) {
+  for (int y = 0; y < image.height(); ++y) image.at(column, y) = colour;
+  return image;
+}
+
 float figure_exposure(const SceneImage& truth) {
   std::vector<float> luminances;
   for (const Rgb& c : truth.pixels())

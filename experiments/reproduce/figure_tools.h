@@ -32,6 +32,9 @@ DisplayImage mark_box(DisplayImage image, const PixelBox& box, Rgb colour = kCro
 /// The image with a line over row `row`.
 DisplayImage mark_row(DisplayImage image, int row, Rgb colour = kCutMark);
 
+/// The image with a line over column `column`.
+DisplayImage mark_column(DisplayImage image, int column, Rgb colour = kCutMark);
+
 /// Exposure of the whole views: the 95th percentile of the truth's luminance becomes 1. Interiors with bright
 /// openings would be black at the 99th (exposure_from); the thesis adjusts brightness for print. 1 without a
 /// positive pixel.

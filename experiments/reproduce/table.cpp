@@ -14,6 +14,16 @@ ReproductionResult reproduce_mirror_copies(Laboratory& laboratory);
 ReproductionResult reproduce_water(Laboratory& laboratory);
 ReproductionResult reproduce_cut_shaft(Laboratory& laboratory);
 ReproductionResult reproduce_synthesis_quality(Laboratory& laboratory);
+ReproductionResult reproduce_naive_neighbours(Laboratory& laboratory);
+ReproductionResult reproduce_joint_neighbours(Laboratory& laboratory);
+ReproductionResult reproduce_adjusted_neighbours(Laboratory& laboratory);
+ReproductionResult reproduce_bilateral_profiles(Laboratory& laboratory);
+ReproductionResult reproduce_stable_highlight(Laboratory& laboratory);
+ReproductionResult reproduce_border_regions(Laboratory& laboratory);
+ReproductionResult reproduce_visibility_borders(Laboratory& laboratory);
+ReproductionResult reproduce_desk_adaptation(Laboratory& laboratory);
+ReproductionResult reproduce_cellar_adaptation(Laboratory& laboratory);
+ReproductionResult reproduce_dunes_adaptation(Laboratory& laboratory);
 ReproductionResult reproduce_consistency_table(Laboratory& laboratory);
 ReproductionResult reproduce_response_curves(Laboratory& laboratory);
 ReproductionResult reproduce_trimming(Laboratory& laboratory);
@@ -82,6 +92,27 @@ std::span<const Reproduction> reproductions() {
                    reproduce_cut_shaft},
       Reproduction{"synthesis-quality", "Synthesised views against ground truth", Chapter::kQuality,
                    reproduce_synthesis_quality},
+      Reproduction{"altmeier-fig-28", "Figure 28: neighbouring key views, mapped naively",
+                   Chapter::kConsistency, reproduce_naive_neighbours},
+      Reproduction{"altmeier-fig-29", "Figure 29: neighbouring key views, joint statistics",
+                   Chapter::kConsistency, reproduce_joint_neighbours},
+      Reproduction{"altmeier-fig-30", "Figure 30: neighbouring key views, adjusted", Chapter::kConsistency,
+                   reproduce_adjusted_neighbours},
+      Reproduction{"altmeier-fig-38",
+                   "Figure 38: profiles of the bilateral operator at borders of visibility",
+                   Chapter::kConsistency, reproduce_bilateral_profiles},
+      Reproduction{"altmeier-fig-39", "Figure 39: a stable highlight keeps naive mapping consistent",
+                   Chapter::kConsistency, reproduce_stable_highlight},
+      Reproduction{"altmeier-fig-40", "Figure 40: border regions of key views", Chapter::kConsistency,
+                   reproduce_border_regions},
+      Reproduction{"altmeier-fig-41", "Figure 41: borders of visibility", Chapter::kConsistency,
+                   reproduce_visibility_borders},
+      Reproduction{"altmeier-fig-42", "Figure 42: adaptation over a motion, Desk", Chapter::kConsistency,
+                   reproduce_desk_adaptation},
+      Reproduction{"altmeier-fig-43", "Figure 43: adaptation over a motion, Cellar", Chapter::kConsistency,
+                   reproduce_cellar_adaptation},
+      Reproduction{"altmeier-fig-44", "Figure 44: adaptation over a motion, Dunes", Chapter::kConsistency,
+                   reproduce_dunes_adaptation},
       Reproduction{"tone-mapping-consistency", "Consistency of every operator over camera motions",
                    Chapter::kConsistency, reproduce_consistency_table},
       Reproduction{"altmeier-fig-3", "Figure 3: response curves of Reinhard & Devlin", Chapter::kOperators,

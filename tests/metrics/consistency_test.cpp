@@ -125,6 +125,21 @@ Plane<std::uint8_t> halves() {
   return sets;
 }
 
+TEST(ChangeMap, HoldsTheChangesThatTheMeanIsTakenOf) {
+  const SceneImage a = wall(0), b = wall(0.37);
+  const DisplayImage mapped_a = mapped(a), mapped_b = mapped(b, 0.05f);
+  const ConsistencyView from{mapped_a, a, flat()}, to{mapped_b, b, flat()};
+  const LineChange change = change_along_lines(from, to, {0.37, 0});
+  double sum = 0;
+  std::int64_t pixels = 0;
+  const Plane<float> changes = change_map_along_lines(from, to, {0.37, 0});
+  for (const float v : changes.pixels())
+    if (std::isfinite(v)) sum += static_cast<double>(v), ++pixels;
+  EXPECT_EQ(pixels, change.pixels);
+  EXPECT_LT(pixels, kWidth * kHeight);
+  EXPECT_NEAR(sum / static_cast<double>(pixels), change.mean, 1e-6);
+}
+
 TEST(BorderChange, OneCurveAddsNothingAtBorders) {
   const SceneImage hdr = wall(0);
   const DisplayImage image = mapped(hdr);

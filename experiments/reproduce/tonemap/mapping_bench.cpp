@@ -11,8 +11,16 @@ namespace plenolab {
 
 namespace {
 
-/// Mapped light fields held at a time: what neighbouring items share.
-constexpr std::size_t kKeptKeyViews = 6;
+/// Mapped light fields held at a time: what neighbouring items share, and more of them as long as they are
+/// small (adjusted key views are costly and many items show them).
+constexpr std::size_t kKeptKeyViews = 6, kKeptBytes = std::size_t{1} << 29;
+
+std::size_t bytes_of(const ViewGrid& grid) {
+  const auto count = [](int n) { return static_cast<std::size_t>(n); };
+  return count(grid.columns) * count(grid.rows) * count(grid.width) * count(grid.height) *
+         (sizeof(Rgb) + sizeof(float));
+}
+
 constexpr int kFramesPerColumn = 10, kFramesPerRow = 20;
 
 }  // namespace
@@ -54,7 +62,12 @@ std::shared_ptr<const MappedKeyViews> MappingBench::key_views(const std::string&
     std::rotate(found, found + 1, kept_.end());
     return kept_.back().views;
   }
-  if (kept_.size() == kKeptKeyViews) kept_.erase(kept_.begin());
+  std::size_t bytes = bytes_of(laboratory_.grid(scene));
+  for (const KeptKeyViews& k : kept_) bytes += bytes_of(k.views->field.grid());
+  while (kept_.size() >= kKeptKeyViews && bytes > kKeptBytes) {
+    bytes -= bytes_of(kept_.front().views->field.grid());
+    kept_.erase(kept_.begin());
+  }
   kept_.push_back({key, std::make_shared<const MappedKeyViews>(map_key_views(
                             laboratory_.light_field(scene), statistics(scene), mapping, threads()))});
   return kept_.back().views;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/base/quantile.h"
 #include "core/tonemap/reinhard_devlin.h"
@@ -82,6 +83,11 @@ std::vector<Mapping> mappings_for(MappingBench& bench, const std::string& scene,
   std::vector<Mapping> mappings;
   for (const Shown one : shown) mappings.push_back(mapping_for(bench, scene, one));
   return mappings;
+}
+
+std::string short_label(const std::string& label) {
+  constexpr std::string_view kOperator = "Reinhard 2005, ";
+  return label.starts_with(kOperator) ? label.substr(kOperator.size()) : label;
 }
 
 std::vector<Shown> all_shown() {

@@ -30,6 +30,11 @@ enum class Shown {
 Mapping mapping_for(MappingBench& bench, const std::string& scene, Shown shown);
 std::vector<Mapping> mappings_for(MappingBench& bench, const std::string& scene,
                                   const std::vector<Shown>& shown);
+/// A mapping's label without "Reinhard 2005, ": keys of plots and names of images must be short. Texts that
+/// use it say kShortLabels.
+std::string short_label(const std::string& label);
+inline constexpr const char* kShortLabels = "Variants without a name: Reinhard 2005";
+
 /// All of them, in the order of the enumeration.
 std::vector<Shown> all_shown();
 

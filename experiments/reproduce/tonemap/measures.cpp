@@ -42,6 +42,29 @@ Mask inside_surfaces(const DisparityMap& disparity) {
   return inner;
 }
 
+/// Neighbouring pixels.
+struct PixelPair {
+  int x = 0, y = 0, u = 0, v = 0;
+};
+
+/// All pairs of neighbouring pixels inside one surface that some key view sees, and whether the key views
+/// that see them differ: `receive(pair, across_border)`.
+template <class Receive>
+void for_each_surface_pair(const ReferenceFrame& frame, const Receive& receive) {
+  const Mask inner = inside_surfaces(frame.disparity_px);
+  const auto visit = [&](const PixelPair& pair) {
+    const std::uint8_t here = frame.contributors.at(pair.x, pair.y),
+                       there = frame.contributors.at(pair.u, pair.v);
+    if (here == 0 || there == 0 || !inner.at(pair.x, pair.y) || !inner.at(pair.u, pair.v)) return;
+    receive(pair, here != there);
+  };
+  for (int y = 0; y < inner.height(); ++y)
+    for (int x = 0; x < inner.width(); ++x) {
+      if (x + 1 < inner.width()) visit({x, y, x + 1, y});
+      if (y + 1 < inner.height()) visit({x, y, x, y + 1});
+    }
+}
+
 double border_region_of(const Plane<float>& difference) {
   const int w = difference.width(), h = difference.height();
   const int dx = static_cast<int>(kRegionShare * w), dy = static_cast<int>(kRegionShare * h);
@@ -123,19 +146,21 @@ Plane<float> luma_difference(const DisplayImage& image, const DisplayImage& othe
 }
 
 BorderStep border_step(const Plane<float>& values, const ReferenceFrame& frame) {
-  const Mask inner = inside_surfaces(frame.disparity_px);
   PairSquares border, inside;
-  const auto compare = [&](int x, int y, int u, int v) {
-    const std::uint8_t here = frame.contributors.at(x, y), there = frame.contributors.at(u, v);
-    if (here == 0 || there == 0 || !inner.at(x, y) || !inner.at(u, v)) return;
-    (here == there ? inside : border).add(values.at(u, v) - values.at(x, y));
-  };
-  for (int y = 0; y < values.height(); ++y)
-    for (int x = 0; x < values.width(); ++x) {
-      if (x + 1 < values.width()) compare(x, y, x + 1, y);
-      if (y + 1 < values.height()) compare(x, y, x, y + 1);
-    }
+  for_each_surface_pair(frame, [&](const PixelPair& pair, bool across_border) {
+    (across_border ? border : inside).add(values.at(pair.u, pair.v) - values.at(pair.x, pair.y));
+  });
   return {std::sqrt(std::max(0.0, border.mean() - inside.mean())), border.largest};
+}
+
+Plane<float> border_step_weights(const Plane<float>& values, const ReferenceFrame& frame) {
+  Plane<float> weights(values.width(), values.height());
+  for_each_surface_pair(frame, [&](const PixelPair& pair, bool across_border) {
+    if (!across_border) return;
+    const float step = values.at(pair.u, pair.v) - values.at(pair.x, pair.y);
+    weights.at(pair.x, pair.y) += step * step;
+  });
+  return weights;
 }
 
 std::vector<DisplayImage> frames_mapped_alike(MappingBench& bench, const std::string& scene,

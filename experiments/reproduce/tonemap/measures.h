@@ -47,6 +47,10 @@ struct BorderStep {
 };
 BorderStep border_step(const Plane<float>& values, const ReferenceFrame& frame);
 
+/// Squares of these steps, each at the left or upper pixel of its pair; 0 elsewhere. To find the part of a
+/// view where they show most.
+Plane<float> border_step_weights(const Plane<float>& values, const ReferenceFrame& frame);
+
 /// How far a mapped frame is from a reference mapping at the same place of the pipeline, which treats all key
 /// views alike. Of the difference in luma, what the reference's luma alone explains (its mean over pixels of
 /// the same 64th of the range) is taken out: another curve is no inconsistency.
