@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <sys/utsname.h>
 #include <unistd.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <ctime>
@@ -74,6 +75,12 @@ nlohmann::ordered_json machine_to_json(const MachineInfo& machine) {
 
 }  // namespace
 
+Cell& ParameterList::operator[](const std::string& name) {
+  const auto found =
+      std::find_if(items_.begin(), items_.end(), [&](const auto& item) { return item.first == name; });
+  return found != items_.end() ? found->second : items_.emplace_back(name, Cell{}).second;
+}
+
 MachineInfo machine_info() {
   MachineInfo info;
   info.cpu = value_of_line("/proc/cpuinfo", "model name", ':');
@@ -126,7 +133,9 @@ nlohmann::ordered_json provenance_to_json(const Provenance& provenance) {
   json["command_line"] = provenance.command_line;
   json["seed"] = nullptr;
   if (provenance.seed) json["seed"] = *provenance.seed;
-  json["parameters"] = provenance.parameters;
+  json["parameters"] = nlohmann::ordered_json::object();
+  for (const auto& [name, value] : provenance.parameters.items())
+    std::visit([&, key = name](const auto& v) { json["parameters"][key] = v; }, value);
   json["inputs"] = nlohmann::ordered_json::array();
   for (const InputFile& input : provenance.inputs) {
     json["inputs"].push_back({{"path", input.path}, {"xxh3_128", input.hash}});

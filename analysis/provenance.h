@@ -4,11 +4,14 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
+
+#include "analysis/result_table.h"
 
 namespace plenolab {
 
@@ -34,11 +37,22 @@ struct InputFile {
   std::string hash;  ///< core/base/content_hash.h
 };
 
+/// Named values, in the order in which they were first set.
+class ParameterList {
+ public:
+  /// The value of a name; a new one holds an empty text.
+  Cell& operator[](const std::string& name);
+  const std::vector<std::pair<std::string, Cell>>& items() const { return items_; }
+
+ private:
+  std::vector<std::pair<std::string, Cell>> items_;
+};
+
 /// Where a result comes from: what stands in `run.json` beside it and under "run" in JSON output.
 struct Provenance {
   std::vector<std::string> command_line;
   std::optional<std::uint64_t> seed;
-  nlohmann::ordered_json parameters = nlohmann::ordered_json::object();
+  ParameterList parameters;
   std::vector<InputFile> inputs;
   std::map<std::string, std::string> libraries;  ///< name → version; callers may add the ones they use
   BuildInfo build;

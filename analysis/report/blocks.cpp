@@ -34,6 +34,13 @@ std::string number_text(double number, int digits, std::optional<int> decimals) 
                                            : format_number(number, digits);
 }
 
+/// A parameter as it was set.
+std::string text_of(const Cell& cell) {
+  if (const auto* text = std::get_if<std::string>(&cell)) return *text;
+  if (const auto* whole = std::get_if<long long>(&cell)) return fmt::format("{}", *whole);
+  return shortest_number(std::get<double>(cell));
+}
+
 std::string cell_html(const Cell& cell, int digits, std::optional<int> decimals) {
   if (const auto* text = std::get_if<std::string>(&cell))
     return fmt::format("<td>{}</td>", escape_html(*text));
@@ -188,10 +195,10 @@ std::string provenance_html(const Provenance& provenance) {
                       format_number(machine.memory_gib, 3), machine.os));
   for (const InputFile& input : provenance.inputs)
     add_row(html, "Input", input.path + " (XXH3 " + input.hash + ")");
-  if (!provenance.parameters.empty()) {
-    const auto replace = nlohmann::ordered_json::error_handler_t::replace;
-    add_row(html, "Parameters", provenance.parameters.dump(-1, ' ', false, replace));
-  }
+  std::string parameters;
+  for (const auto& [name, value] : provenance.parameters.items())
+    parameters += (parameters.empty() ? "" : ", ") + name + " = " + text_of(value);
+  if (!parameters.empty()) add_row(html, "Parameters", parameters);
   std::string libraries;
   for (const auto& [name, version] : provenance.libraries) {
     libraries += (libraries.empty() ? "" : ", ") + name + " " + version;

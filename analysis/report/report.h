@@ -69,7 +69,8 @@ using ReportBlock = std::variant<Paragraph, ReportTable, ReportPlot, ImageCompar
 struct ReportSection {
   std::string title;
   std::vector<ReportBlock> blocks;
-  std::string chapter = {};  ///< that it belongs to; neighbours of one chapter stand under its name; may be empty
+  std::string chapter =
+      {};  ///< that it belongs to; neighbours of one chapter stand under its name; may be empty
 };
 
 struct Report {

@@ -1,6 +1,7 @@
 #include "experiments/cli/output.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -1,6 +1,7 @@
 #include "analysis/provenance.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <regex>
 

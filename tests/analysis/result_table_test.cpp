@@ -1,6 +1,7 @@
 #include "analysis/result_table.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 #include <limits>
 #include <stdexcept>
