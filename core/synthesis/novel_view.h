@@ -37,13 +37,13 @@ enum class CorrespondenceState : std::uint8_t {
 /// One pixel's correspondence in one key view, for inspection.
 struct Correspondence {
   CorrespondenceState state = CorrespondenceState::kNotUsed;
-  bool thin = false;         ///< found by the keep_thin variant
+  bool thin = false;  ///< found by the keep_thin variant
   /// Disparity samples looked at along the path, refinement included (saturates); see
   /// SynthesisOptions::count_probes.
   std::uint16_t probes = 0;
-  float x = 0, y = 0;        ///< A in image coordinates of the key view (pixel centres at integer + 0.5)
-  float disparity_px = 0;    ///< at A
-  float weight = 0;  ///< share in the output colour, 0 … 1; sums to 1 over the views of a seen pixel
+  float x = 0, y = 0;      ///< A in image coordinates of the key view (pixel centres at integer + 0.5)
+  float disparity_px = 0;  ///< at A
+  float weight = 0;        ///< share in the output colour, 0 … 1; sums to 1 over the views of a seen pixel
 };
 
 /// Correspondences of one pixel in the order of NovelView::views.
