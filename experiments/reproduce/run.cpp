@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "analysis/timing.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -47,6 +50,21 @@ bool is_about_tone_mapping(const LedgerEntry& entry) {
   return entry.claim.id.starts_with("A-T") || entry.claim.id.starts_with("A-S");
 }
 
+/// "A-T9b" as letters and number, so that A-T9 comes before A-T10.
+std::tuple<std::string, int, std::string> natural_order(const std::string& id) {
+  const std::size_t digits = id.find_first_of("0123456789");
+  if (digits == std::string::npos) return {id, 0, ""};
+  std::size_t end = 0;
+  const int number = std::stoi(id.substr(digits), &end);
+  return {id.substr(0, digits), number, id.substr(digits + end)};
+}
+
+void sort_by_id(std::vector<LedgerEntry>& entries) {
+  std::stable_sort(entries.begin(), entries.end(), [](const LedgerEntry& a, const LedgerEntry& b) {
+    return natural_order(a.claim.id) < natural_order(b.claim.id);
+  });
+}
+
 ReportSection ledger_section(const std::vector<LedgerEntry>& ledger) {
   ReportSection section{"Claims ledger", {}, {}};
   section.blocks.emplace_back(Paragraph{
@@ -57,6 +75,7 @@ ReportSection ledger_section(const std::vector<LedgerEntry>& ledger) {
     (is_about_tone_mapping(entry) ? mapping : synthesis).push_back(entry);
   if (!synthesis.empty())
     section.blocks.emplace_back(ReportLedger{"View synthesis: sections 3, 4 and 6.1", synthesis});
+  sort_by_id(mapping);
   if (!mapping.empty())
     section.blocks.emplace_back(ReportLedger{"Tone mapping: sections 2.1, 5, 6.2, 6.3 and 7", mapping});
   return section;

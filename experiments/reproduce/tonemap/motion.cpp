@@ -90,6 +90,12 @@ Mapping mapping_of(std::string label, const std::string& name, const std::string
           .border_weight = BorderWeight::kPrinted};
 }
 
+int frames_per_spacing(const Motion& motion) {
+  const double spacings =
+      std::abs(motion.vertical() ? motion.to.t - motion.from.t : motion.to.s - motion.from.s);
+  return spacings > 0 ? std::max(1, static_cast<int>(std::lround((motion.frames - 1) / spacings))) : 1;
+}
+
 RecordedMotion record_motion(const Synthesizer& synthesizer, const Motion& motion, int threads) {
   PLENOLAB_CHECK(motion.frames >= 2, "a motion has at least two frames");
   RecordedMotion recording{.motion = motion, .frames = {}};

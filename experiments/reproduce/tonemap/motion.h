@@ -40,6 +40,9 @@ struct Motion {
   bool vertical() const { return from.s == to.s && from.t != to.t; }
 };
 
+/// Frames from one key view to the next, at least 1.
+int frames_per_spacing(const Motion& motion);
+
 /// Log10 of the largest finite luminance of a view; −300 for one without light.
 double log_peak(const SceneImage& view);
 

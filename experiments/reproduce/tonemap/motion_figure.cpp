@@ -19,12 +19,6 @@ namespace {
 
 constexpr int kStretchRows = 5, kStretchColumns = 9;  // pixels a frame is drawn with
 
-int frames_per_spacing(const Motion& motion) {
-  const double spacings =
-      std::abs(motion.vertical() ? motion.to.t - motion.from.t : motion.to.s - motion.from.s);
-  return spacings > 0 ? std::max(1, static_cast<int>(std::lround((motion.frames - 1) / spacings))) : 1;
-}
-
 double position_of(const RecordedMotion& recording, std::size_t frame) {
   const CameraPosition& at = recording.frames[frame].position;
   return recording.motion.vertical() ? at.t : at.s;

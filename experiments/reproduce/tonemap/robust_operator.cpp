@@ -25,7 +25,7 @@ void append(std::vector<double>& to, const std::vector<double>& from) {
 PlotSeries track_series(MappingBench& bench, const std::string& scene, const Mapping& mapping) {
   const RecordedMotion& recording = bench.recording(scene);
   const std::vector<double> track = adaptation_track(bench.motion(scene, mapping));
-  PlotSeries series{.title = mapping.label, .style = PlotSeries::Style::kLines, .points = {}};
+  PlotSeries series{.title = short_label(mapping.label), .style = PlotSeries::Style::kLines, .points = {}};
   for (std::size_t i = 0; i < track.size(); ++i) {
     const CameraPosition p = recording.frames[i].position;
     PlotPoint point;
@@ -41,8 +41,9 @@ void add_track_plot(ReproductionResult& result, MappingBench& bench, const std::
   const bool vertical = bench.recording(scene).motion.vertical();
   Plot plot;
   plot.x = {.title = vertical ? "Camera position t" : "Camera position s", .unit = "spacings"};
-  plot.y = {.title = "Brightness of surfaces under unchanged light", .unit = "luma, from the start"};
+  plot.y = {.title = "Luma added since the first frame", .unit = ""};
   plot.key = KeyPosition::kOutside;
+  plot.width_px = 960;
   for (const Mapping& mapping :
        mappings_for(bench, scene, {Shown::kReinhardResults, Shown::kReinhardStatistics, Shown::kRobust}))
     plot.series.push_back(track_series(bench, scene, mapping));

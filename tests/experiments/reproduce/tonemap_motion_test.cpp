@@ -170,31 +170,6 @@ TEST(MapMotion, VariantsForFramesMapThemInOrder) {
   EXPECT_FALSE(motion.last.empty());
 }
 
-RecordedMotion event_at(std::size_t event) {
-  RecordedMotion recording;
-  recording.event = event;
-  recording.motion.frames_per_second = 10;
-  return recording;
-}
-
-TEST(LeadTime, IsTheTimeBeforeTheEventAtWhichATenthOfTheWayIsGone) {
-  std::vector<double> gradual, sudden;
-  for (int i = 0; i < 21; ++i) {
-    gradual.push_back(0.02 * i);
-    sudden.push_back(i < 10 ? 0 : 0.4);
-  }
-  EXPECT_NEAR(*lead_time_s(event_at(10), gradual, 10), 0.8, 1e-12);
-  EXPECT_NEAR(*lead_time_s(event_at(10), sudden, 10), 0, 1e-12);
-  EXPECT_NEAR(*lead_time_s(event_at(7), sudden, 6), -0.3, 1e-12);
-}
-
-TEST(LeadTime, IsNotToBeHadOfSmallChangesOrAtTheEnds) {
-  EXPECT_FALSE(lead_time_s(event_at(10), std::vector<double>(21, 0.5), 10));
-  std::vector<double> sudden(21, 0);
-  std::fill(sudden.begin() + 2, sudden.end(), 1);
-  EXPECT_FALSE(lead_time_s(event_at(2), sudden, 10));
-}
-
 TEST(MeanRatio, IsThatOfTheMeansAndNeedsTwoPairs) {
   const std::vector<double> a{1, 3}, b{2, 6}, one{1}, zero{0, 0};
   EXPECT_DOUBLE_EQ(mean_ratio(a, b, 1)->estimate, 0.5);
