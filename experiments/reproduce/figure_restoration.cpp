@@ -104,8 +104,8 @@ std::optional<RestorationStudy> study_restoration(ReproductionResult& result, La
        .box = study.place.box,
        .cut_row = {}},
       columns, threads);
-  const auto add_numbers = [&](const Mask& mask, const std::string& name) {
-    return add_masked_rows(result, after.image, truth.colour, mask, name, columns);
+  const auto add_numbers = [&, &colour = truth.colour](const Mask& mask, const std::string& name) {
+    return add_masked_rows(result, after.image, colour, mask, name, columns);
   };
   study.effect = add_numbers(mask_of(study.place.effect), region);
   study.restored = add_numbers(after.restored, "restored");

@@ -134,7 +134,7 @@ void file_reproduction(const FinishedReproduction& finished, const fs::path& fol
 Report assemble_report(const std::vector<FinishedReproduction>& finished, const Laboratory& laboratory,
                        const Provenance& provenance) {
   Report report;
-  report.title = "HDR light fields: view synthesis and tone mapping";
+  report.title = "HDR light fields: synthesis and tone mapping";
   report.subtitle =
       "Views synthesised from sparse key views against ground truth, and the consistency of tone mapping "
       "within "

@@ -196,6 +196,9 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
             {borders, Comparison::kBelow, kSmallestStep, "border_step", "luma",
              "95 % bootstrap over views within the cells", scenes,
              "Steps beyond those of the joint variant, less than one step of an 8-bit display."});
+  if (neighbours)
+    result.key_figures.push_back({"Neighbouring key views, adjusted", format_number(neighbours->estimate, 2),
+                                  "×", "difference in brightness over that before, Reinhard 2005"});
   result.differs = outcome_words(result);
   return result;
 }

@@ -143,6 +143,9 @@ ReproductionResult reproduce_robust_operator(Laboratory& laboratory) {
        {"desk", "dominoes"},
        "Largest change of brightness from frame to frame where no light changes: below one step of an 8-bit "
        "display."});
+  if (calm)
+    result.key_figures.push_back({"Flicker from outliers", format_number(calm->estimate, 2), "×",
+                                  "robust operator over Reinhard 2005 with interpolated statistics"});
   result.differs = outcome_words(result);
   for (const char* scene : {"cellar", "dunes", "desk", "dominoes"}) add_track_plot(result, bench, scene);
   for (const char* scene : {"cellar", "dunes"}) add_pictures_of(result, bench, scene);

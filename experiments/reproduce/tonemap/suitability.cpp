@@ -8,6 +8,7 @@
 
 #include "core/base/quantile.h"
 #include "core/image/colour.h"
+#include "experiments/reproduce/tonemap/mapping_bench.h"
 
 namespace plenolab {
 
@@ -81,7 +82,7 @@ SectionScene::SectionScene(Laboratory& laboratory, std::string id)
       camera_(laboratory.scene(id_).camera),
       field_(laboratory.light_field(id_)),
       threads_(laboratory.options().threads),
-      statistics_(measure_light_field(field_, threads_)) {}
+      statistics_(laboratory.mapping_bench().statistics(id_)) {}
 
 std::vector<int> SectionScene::middle_row() const {
   std::vector<int> views(static_cast<std::size_t>(grid().columns));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "experiments/reproduce/tonemap/mapping_bench.h"
+
 namespace plenolab {
 
 OperatorView ToneScene::view(std::size_t index) const {
@@ -10,8 +12,8 @@ OperatorView ToneScene::view(std::size_t index) const {
 }
 
 ToneScene tone_scene(Laboratory& laboratory, const std::string& id) {
-  const LightField field = laboratory.light_field(id);
-  return {id, laboratory.scene(id).title, field, measure_light_field(field, laboratory.options().threads)};
+  return {id, laboratory.scene(id).title, laboratory.light_field(id),
+          laboratory.mapping_bench().statistics(id)};
 }
 
 std::size_t middle_view(const ViewGrid& grid) {

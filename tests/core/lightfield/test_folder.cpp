@@ -70,7 +70,8 @@ TEST(Description, EveryMistakeNamesTheFileAndTheKey) {
       {"plenolab-lightfield", "other", "format"},
       {"\"radiance\"", "\"radianz\"", "radianz"}};
   for (const auto& [from, to, key] : cases) {
-    const std::string message = message_of([&] { parse_description(with(from, to), "lf.json"); });
+    const std::string text = with(from, to);
+    const std::string message = message_of([&] { parse_description(text, "lf.json"); });
     EXPECT_NE(message.find("lf.json: \"" + key + "\""), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos);
   }
