@@ -21,6 +21,11 @@ foreach(module core imgproc imgcodecs)
   target_link_libraries(plenolab_opencv INTERFACE ${OPENCV_${module}_LIBRARY})
 endforeach()
 
+# Only a benchmark uses it: the tone mapping operators of OpenCV, as a peer.
+find_library(OPENCV_photo_LIBRARY opencv_photo REQUIRED)
+add_library(plenolab_opencv_photo INTERFACE)
+target_link_libraries(plenolab_opencv_photo INTERFACE plenolab_opencv ${OPENCV_photo_LIBRARY})
+
 find_path(XXHASH_INCLUDE_DIR xxhash.h REQUIRED)
 find_library(XXHASH_LIBRARY xxhash REQUIRED)
 add_library(plenolab_xxhash INTERFACE)

@@ -45,27 +45,40 @@ float third_around(const Plane<float>& luminance, int x, int y) {
   return around[rank];
 }
 
-/// How many of the eight neighbours of each inner pixel of a row are at least as bright.
-void count_brighter(const Plane<float>& luminance, int y, std::span<int> count) {
+/// The three largest of some values, in falling order.
+struct Largest {
+  float first, second, third;
+};
+
+Largest sorted(float a, float b, float c) {
+  const float high = std::max(a, b), low = std::min(a, b);
+  return {std::max(high, c), std::max(low, std::min(high, c)), std::min(low, c)};
+}
+
+Largest merged(const Largest& p, const Largest& q) {
+  return {std::max(p.first, q.first), std::max(std::min(p.first, q.first), std::max(p.second, q.second)),
+          std::max(std::max(p.third, q.third),
+                   std::max(std::min(p.first, q.second), std::min(p.second, q.first)))};
+}
+
+/// What each inner pixel of an inner row counts. Minima and maxima only, so that it runs in vectors.
+void count_inner(const Plane<float>& luminance, int y, std::span<float> counted) {
   const float *above = luminance.row(y - 1), *row = luminance.row(y), *below = luminance.row(y + 1);
-  for (std::size_t x = 1; x + 1 < count.size(); ++x) {
-    const float here = row[x];
-    count[x] = (above[x - 1] >= here) + (above[x] >= here) + (above[x + 1] >= here) + (row[x - 1] >= here) +
-               (row[x + 1] >= here) + (below[x - 1] >= here) + (below[x] >= here) + (below[x + 1] >= here);
+  for (std::size_t x = 1; x + 1 < counted.size(); ++x) {
+    const Largest left = sorted(above[x - 1], row[x - 1], below[x - 1]);
+    const Largest middle = sorted(above[x], row[x], below[x]);
+    const Largest right = sorted(above[x + 1], row[x + 1], below[x + 1]);
+    counted[x] = std::min(row[x], merged(merged(left, middle), right).third);
   }
 }
 
-double sum_of_row(const Plane<float>& luminance, int y, std::vector<int>& brighter) {
+double sum_of_row(const Plane<float>& luminance, int y, std::span<float> counted) {
   const int width = luminance.width();
-  std::fill(brighter.begin(), brighter.end(), 0);
-  if (y > 0 && y + 1 < luminance.height()) count_brighter(luminance, y, brighter);
-  double sum = 0;
-  for (int x = 0; x < width; ++x) {
-    const bool counts_whole = brighter[static_cast<std::size_t>(x)] + 1 >= static_cast<int>(kCountedRank);
-    sum += static_cast<double>(counts_whole ? luminance.at(x, y)
-                                            : std::min(luminance.at(x, y), third_around(luminance, x, y)));
-  }
-  return sum;
+  const bool inner = y > 0 && y + 1 < luminance.height() && width > 2;
+  if (inner) count_inner(luminance, y, counted);
+  for (int x = 0; x < width; x += inner ? width - 1 : 1)
+    counted[static_cast<std::size_t>(x)] = std::min(luminance.at(x, y), third_around(luminance, x, y));
+  return std::accumulate(counted.begin(), counted.end(), 0.0);
 }
 
 }  // namespace
@@ -75,8 +88,8 @@ double eye_average(const SceneImage& view, int threads) {
   const Plane<float> luminance = repaired_luminance(view, threads);
   std::vector<double> rows(static_cast<std::size_t>(view.height()));
   parallel_for(view.height(), 16, threads, [&](int begin, int end) {
-    std::vector<int> brighter(static_cast<std::size_t>(view.width()));
-    for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = sum_of_row(luminance, y, brighter);
+    std::vector<float> counted(static_cast<std::size_t>(view.width()));
+    for (int y = begin; y < end; ++y) rows[static_cast<std::size_t>(y)] = sum_of_row(luminance, y, counted);
   });
   return std::accumulate(rows.begin(), rows.end(), 0.0) / static_cast<double>(view.size());
 }

@@ -1,9 +1,10 @@
 // Tone mapping operators on one 1920 × 1080 view: fitting and applying apart, beside a plain copy of the
-// view, which is the limit set by memory. Run with --benchmark_repetitions=5 for medians.
+// view, which is the limit set by memory, and beside OpenCV's operator of Reinhard and Devlin. Run with --benchmark_repetitions=5 for medians.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
 #include <memory>
+#include <opencv2/photo.hpp>
 #include <string>
 
 #include "core/base/random.h"
@@ -42,6 +43,31 @@ void BM_CopyOfTheView(benchmark::State& state) {
   }
 }
 BENCHMARK(BM_CopyOfTheView)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Float pixels in, float pixels out, at OpenCV's own defaults.
+void BM_OpenCvReinhard(benchmark::State& state) {
+  const OperatorView view = bench_view();
+  cv::Mat bgr(view.colour->height(), view.colour->width(), CV_32FC3), mapped;
+  for (int y = 0; y < bgr.rows; ++y)
+    for (int x = 0; x < bgr.cols; ++x) {
+      const Rgb& c = view.colour->at(x, y);
+      bgr.at<cv::Vec3f>(y, x) = {c.b, c.g, c.r};
+    }
+  const cv::Ptr<cv::TonemapReinhard> reinhard = cv::createTonemapReinhard();
+  for (auto _ : state) reinhard->process(bgr, mapped);
+}
+BENCHMARK(BM_OpenCvReinhard)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// What BM_OpenCvReinhard does in one call: the statistics of the view, then the operator.
+void BM_Reinhard05WithStatistics(benchmark::State& state) {
+  const OperatorView view = bench_view();
+  const OperatorInfo& info = find_operator("reinhard05");
+  for (auto _ : state) {
+    const ToneMapped mapped = info.fit("naive", {}, scope_of(view)).apply(view, 0);
+    benchmark::DoNotOptimize(mapped.image.row(0));
+  }
+}
+BENCHMARK(BM_Reinhard05WithStatistics)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 void BM_MeasureView(benchmark::State& state) {
   const OperatorView view = bench_view();
