@@ -1,5 +1,6 @@
 // Tone mapping operators on one 1920 × 1080 view: fitting and applying apart, beside a plain copy of the
-// view, which is the limit set by memory, and beside OpenCV's operator of Reinhard and Devlin. Run with --benchmark_repetitions=5 for medians.
+// view, which is the limit set by memory, and beside OpenCV's operator of Reinhard and Devlin. Run with
+// --benchmark_repetitions=5 for medians.
 #include <benchmark/benchmark.h>
 
 #include <cmath>
