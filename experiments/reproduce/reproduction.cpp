@@ -47,6 +47,12 @@ const char* title_of(Chapter chapter) {
       return "Tone mapping operators";
     case Chapter::kConsistency:
       return "Consistency of tone mapping";
+    case Chapter::kDisplay:
+      return "A near-eye light-field display";
+    case Chapter::kStudy:
+      return "What participants could tell apart";
+    case Chapter::kCalibration:
+      return "Calibration of the display";
     case Chapter::kSpeed:
       return "Error against run time";
     case Chapter::kClaims:

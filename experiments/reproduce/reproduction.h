@@ -44,7 +44,19 @@ struct ReproductionResult {
 };
 
 /// Which chapter of the report an item belongs to.
-enum class Chapter { kScenes, kGeometry, kAppearance, kQuality, kOperators, kConsistency, kSpeed, kClaims };
+enum class Chapter {
+  kScenes,
+  kGeometry,
+  kAppearance,
+  kQuality,
+  kOperators,
+  kConsistency,
+  kDisplay,      ///< near-eye light-field display: optics and reprojection
+  kStudy,        ///< participants: sessions and their analysis
+  kCalibration,  ///< fits of the display's lengths and angles
+  kSpeed,
+  kClaims,
+};
 
 const char* title_of(Chapter chapter);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 
 #include "analysis/timing.h"
@@ -45,9 +46,28 @@ ReportSection section_of(const FinishedReproduction& finished) {
   return section;
 }
 
-/// Claims on tone mapping and on the speed of its operators have ids of their own.
-bool is_about_tone_mapping(const LedgerEntry& entry) {
-  return entry.claim.id.starts_with("A-T") || entry.claim.id.starts_with("A-S");
+/// One table of the ledger: claims whose ids begin with one of the prefixes.
+struct LedgerPart {
+  const char* caption;
+  std::vector<std::string> prefixes;
+};
+
+const std::vector<LedgerPart>& ledger_parts() {
+  static const std::vector<LedgerPart> parts{
+      {"View synthesis: Altmeier, sections 3, 4 and 6.1", {"A-G", "A-A"}},
+      {"Tone mapping: Altmeier, sections 2.1, 5, 6.2, 6.3 and 7", {"A-T", "A-S"}},
+      {"Near-eye light-field display and its study: Hansen & Klein, with Kraus", {"H-"}},
+  };
+  return parts;
+}
+
+std::vector<LedgerEntry> entries_of(const LedgerPart& part, const std::vector<LedgerEntry>& ledger) {
+  std::vector<LedgerEntry> entries;
+  std::copy_if(ledger.begin(), ledger.end(), std::back_inserter(entries), [&](const LedgerEntry& entry) {
+    return std::any_of(part.prefixes.begin(), part.prefixes.end(),
+                       [&](const std::string& prefix) { return entry.claim.id.starts_with(prefix); });
+  });
+  return entries;
 }
 
 /// "A-T9b" as letters and number, so that A-T9 comes before A-T10.
@@ -68,16 +88,13 @@ void sort_by_id(std::vector<LedgerEntry>& entries) {
 ReportSection ledger_section(const std::vector<LedgerEntry>& ledger) {
   ReportSection section{"Claims ledger", {}, {}};
   section.blocks.emplace_back(Paragraph{
-      "Each claim of the thesis with the measurement that decides it on our scenes. A claim is confirmed or "
-      "refuted only if the whole interval of the number lies on one side of the threshold."});
-  std::vector<LedgerEntry> synthesis, mapping;
-  for (const LedgerEntry& entry : ledger)
-    (is_about_tone_mapping(entry) ? mapping : synthesis).push_back(entry);
-  if (!synthesis.empty())
-    section.blocks.emplace_back(ReportLedger{"View synthesis: sections 3, 4 and 6.1", synthesis});
-  sort_by_id(mapping);
-  if (!mapping.empty())
-    section.blocks.emplace_back(ReportLedger{"Tone mapping: sections 2.1, 5, 6.2, 6.3 and 7", mapping});
+      "Each claim of the papers with the measurement that decides it here. A claim is confirmed or refuted "
+      "only if the whole interval of the number lies on one side of the threshold."});
+  for (const LedgerPart& part : ledger_parts()) {
+    std::vector<LedgerEntry> entries = entries_of(part, ledger);
+    sort_by_id(entries);
+    if (!entries.empty()) section.blocks.emplace_back(ReportLedger{part.caption, std::move(entries)});
+  }
   return section;
 }
 
@@ -134,11 +151,11 @@ void file_reproduction(const FinishedReproduction& finished, const fs::path& fol
 Report assemble_report(const std::vector<FinishedReproduction>& finished, const Laboratory& laboratory,
                        const Provenance& provenance) {
   Report report;
-  report.title = "HDR light fields: synthesis and tone mapping";
+  report.title = "HDR light fields: synthesis, tone mapping and a near-eye display";
   report.subtitle =
       "Views synthesised from sparse key views against ground truth, and the consistency of tone mapping "
-      "within "
-      "them and over time, measured on procedural scenes; after Altmeier 2018.";
+      "within them and over time, after Altmeier 2018; a near-eye light-field display, its study and its "
+      "calibration, after Hansen & Klein 2016. Measured on procedural scenes.";
   std::vector<LedgerEntry> ledger;
   for (const FinishedReproduction& f : finished) {
     for (const KeyFigure& figure : f.result.key_figures) report.key_figures.push_back(figure);
