@@ -10,8 +10,6 @@ namespace plenolab {
 
 namespace {
 
-constexpr double kEnoughOfAFrame = 0.05;
-
 /// Takes `added` over `added_pairs` into a mean over `pairs`.
 void take_mean(double& mean, std::int64_t pairs, double added, std::int64_t added_pairs) {
   const auto all = static_cast<double>(pairs + added_pairs);

@@ -23,6 +23,9 @@ struct ReferenceFrame {
 ReferenceFrame reference_frame(const Synthesizer& synthesizer, CameraPosition position,
                                SynthesisOptions options);
 
+/// Share of the pixels that must take part for a change of luma between two views to count.
+inline constexpr double kEnoughOfAFrame = 0.05;
+
 /// What one frame adds.
 struct FrameConsistency {
   std::optional<LineChange> change;  ///< since the frame before; nothing for the first

@@ -2,6 +2,7 @@
 // large-scale adaptation, loses sudden adaptation, leaves no visible border.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -37,7 +38,7 @@ struct Series {
 
 /// A wall seen by a row of 17 key views, as many as the thesis has, whose mapped brightness rises from the
 /// first to the last: how much of the rise between the ends the adjustment keeps, for several rises.
-std::vector<double> kept_over_17_views(int threads) {
+std::vector<double> kept_over_17_views(double sigma_views, int threads) {
   constexpr int kColumns = 17;
   const ViewGrid grid = probe_grid(kColumns, 1, 0.05, 96, 54);
   const LightField hdr =
@@ -59,13 +60,25 @@ std::vector<double> kept_over_17_views(int threads) {
       if (column == 0) ends[0] = mean_luma(view);
       if (column == kColumns - 1) ends[1] = mean_luma(view);
     };
+    KeyViewAdjustmentOptions options;
+    options.support_views *= sigma_views / options.sigma_views;
+    options.sigma_views = sigma_views;
     KeyViewAdjustmentRun run;
     run.threads = threads;
-    adjust_key_views(hdr, DisplayLightField::from_views(grid, hdr.unit(), hdr.name(), std::move(views)), {},
-                     keep_ends, run);
+    adjust_key_views(hdr, DisplayLightField::from_views(grid, hdr.unit(), hdr.name(), std::move(views)),
+                     options, keep_ends, run);
     kept.push_back((ends[1] - ends[0]) / before);
   }
   return kept;
+}
+
+/// Widths of the filter over key views; the first is the one of all other items.
+constexpr double kSigmas[] = {2, 4, 8};
+
+/// Mean and extremes. The rises are no sample of anything: a linear filter does nearly the same to each.
+Interval range_of(const std::vector<double>& values) {
+  const auto [low, high] = std::minmax_element(values.begin(), values.end());
+  return {mean(values), *low, *high};
 }
 
 struct AdjustmentNumbers {
@@ -140,8 +153,12 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
   const auto neighbours = mean_ratio(numbers.neighbours.after, numbers.neighbours.before, seed),
              far = mean_ratio(numbers.far.after, numbers.far.before, seed),
              sudden = mean_ratio(numbers.sudden.after, numbers.sudden.before, seed),
-             borders = mean_interval(numbers.border_steps, seed),
-             kept = mean_interval(kept_over_17_views(bench.threads()), seed);
+             borders = mean_interval(numbers.border_steps, seed, kViewsInCell);
+  std::vector<MeasuredNumber> kept_by_sigma;
+  for (const double sigma : kSigmas)
+    kept_by_sigma.push_back(
+        {fmt::format("σ of {:g} key views", sigma), range_of(kept_over_17_views(sigma, bench.threads()))});
+  const std::optional<Interval> kept = kept_by_sigma.front().interval;
   result.paper_shows =
       "Section 5.3 and figure 30: key-view adjustment makes neighbouring key views of naive Reinhard 2005 "
       "nearly "
@@ -157,10 +174,13 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
   add_measured(result, "Adjusted over naive", "adjusted_over_naive", "1",
                {{"neighbouring key views", neighbours},
                 {"opposite ends of the grid, 4 or 2 spacings", far},
-                {"opposite ends of 17 key views in a row", kept},
                 {"largest change between frames", sudden}});
+  add_measured(result,
+               "Share of a steady rise over 17 key views in a row that is kept (made-up wall), range over "
+               "four rises",
+               "kept_share", "1", kept_by_sigma);
   const std::vector<std::string> scenes(std::begin(kScenes), std::end(kScenes));
-  const std::string pairs = "95 % bootstrap over pairs of key views";
+  const std::string pairs = uncertainty_over(numbers.neighbours.before.size(), "pairs of key views");
   add_claim(
       result,
       {"A-T10a", "Altmeier 2018, section 5.3",
@@ -175,26 +195,35 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
        kHalf,
        "kept_share",
        "1",
-       "95 % bootstrap over four rises of brightness",
+       "range over four rises of brightness",
        {"wall probe, 17 key views in a row"},
        "Share of a steady rise of brightness from the first to the last of 17 key views, as the thesis has "
-       "them, that the adjustment keeps; kept to a large extent means more than half. Our rendered grids of "
-       "4 spacings are hardly wider than the filter (σ of 2 spacings): there little is kept, see the "
-       "table."});
+       "them, that the adjustment keeps; kept to a large extent means more than half. It depends on the "
+       "width "
+       "of the filter alone, see the table. Chosen after the rendered grids, the next row, said otherwise."});
+  add_claim(
+      result,
+      {"A-T10b-grids", "Altmeier 2018, section 5.3",
+       "Key-view adjustment keeps large-scale adaptation. (Rendered grids of 3 to 5 key views a side.)"},
+      {far, Comparison::kAbove, kHalf, "adjusted_over_naive", "1",
+       uncertainty_over(numbers.far.before.size(), "pairs of key views"), scenes,
+       "Change of luma under the same light between key views at opposite ends of the grid, of pairs that "
+       "differ visibly; kept means more than half. Such grids are hardly wider than the filter (σ of 2 "
+       "spacings): their scale is not the large one of the thesis, whose grids have 17 key views a row."});
   add_claim(result, {"A-T10c", "Altmeier 2018, section 5.3", "Key-view adjustment loses sudden adaptation."},
             {sudden,
              Comparison::kBelow,
              kHalf,
              "adjusted_over_naive",
              "1",
-             "95 % bootstrap over lines of motion",
+             uncertainty_over(numbers.sudden.before.size(), "lines of motion"),
              {"cellar", "dunes"},
              "Largest change of brightness from frame to frame; lost means to less than half."});
   add_claim(result,
             {"A-T10d", "Altmeier 2018, section 5.3",
              "After key-view adjustment no borders of visibility are visible."},
             {borders, Comparison::kBelow, kSmallestStep, "border_step", "luma",
-             "95 % bootstrap over views within the cells", scenes,
+             uncertainty_over(numbers.border_steps.size(), "views within the cells", kViewsInCell), scenes,
              "Steps beyond those of the joint variant, less than one step of an 8-bit display."});
   if (neighbours)
     result.key_figures.push_back({"Neighbouring key views, adjusted", format_number(neighbours->estimate, 2),

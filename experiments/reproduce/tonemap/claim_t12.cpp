@@ -25,9 +25,11 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
                 statistics = mapping_for(bench, kScene, Shown::kReinhardStatistics),
                 joint = mapping_for(bench, kScene, Shown::kReinhardJoint);
   const auto regions = [&](const Mapping& mapping) {
-    return border_regions(frame_inconsistencies(bench, kScene, mapping, joint, bench.views_in_cells(kScene)));
+    return border_regions(
+        frame_inconsistencies(bench, kScene, mapping, joint, bench.views_near_key_views(kScene)));
   };
-  const auto region = mean_ratio(regions(adjusted), regions(naive), seed);
+  const std::vector<double> adjusted_regions = regions(adjusted), naive_regions = regions(naive);
+  const auto region = mean_ratio(adjusted_regions, naive_regions, seed, kViewsOfBorders);
   const std::vector<double> naive_ranges = adaptation_ranges(bench, kScene, naive);
   const auto range = mean_ratio(adaptation_ranges(bench, kScene, adjusted), naive_ranges, seed);
   const auto step =
@@ -48,17 +50,23 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
                {{"adjusted: border region", region},
                 {"adjusted: range of adaptation", range},
                 {"statistics interpolated: largest change between frames", step}});
-  add_claim(result,
-            {"A-T12a", "Altmeier 2018, section 6.2.1, figure 40",
-             "In the Dunes key-view adjustment lowers differences of the border region."},
-            {region,
-             Comparison::kBelow,
-             1,
-             "border_region_ratio",
-             "1",
-             "95 % bootstrap over views within the cells",
-             {kScene},
-             "Adjusted over naive; differences beyond those of the joint variant."});
+  add_claim(
+      result,
+      {"A-T12a", "Altmeier 2018, section 6.2.1, figure 40",
+       "In the Dunes key-view adjustment lowers differences of the border region."},
+      {region,
+       Comparison::kBelow,
+       1,
+       "border_region_ratio",
+       "1",
+       uncertainty_over(naive_regions.size(), "views near key views", kViewsOfBorders),
+       {kScene},
+       fmt::format("Adjusted over naive, {:.4f} of luma on average; differences beyond those of the joint "
+                   "variant, in views a tenth of a spacing from key views. {}",
+                   mean(naive_regions),
+                   mean(naive_regions) < kSmallestStep
+                       ? "Less than a step of an 8-bit display is there to be lowered."
+                       : "")});
   add_claim(
       result,
       {"A-T12b", "Altmeier 2018, section 6.2.2, figure 44",
@@ -68,7 +76,7 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
        1,
        "adaptation_range_ratio",
        "1",
-       "95 % bootstrap over 3 lines of motion",
+       uncertainty_over(kMotionLines, "lines of motion"),
        {kScene},
        "Range of the brightness of surfaces under unchanged light over the motion, adjusted over naive."});
   add_claim(result,
@@ -79,7 +87,7 @@ ReproductionResult reproduce_claim_t12(Laboratory& laboratory) {
              1,
              "largest_frame_step_ratio",
              "1",
-             "95 % bootstrap over 3 lines of motion",
+             uncertainty_over(kMotionLines, "lines of motion"),
              {kScene},
              "Largest change of brightness from frame to frame, statistics interpolated over naive."});
   result.differs = outcome_words(result);

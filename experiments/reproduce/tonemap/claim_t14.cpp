@@ -62,7 +62,7 @@ ReproductionResult reproduce_claim_t14(Laboratory& laboratory) {
   plot.series = {series[0], series[1]};
   result.add_plot("step-by-speed", {plot,
                                     "Largest change of brightness between frames against the speed of the "
-                                    "camera. Bars: 95 % bootstrap over three lines of motion",
+                                    "camera. Bars: 95 % intervals over the lines of motion",
                                     "Change of brightness of two ways to interpolate against camera speed"});
   add_claim(
       result,
@@ -75,7 +75,7 @@ ReproductionResult reproduce_claim_t14(Laboratory& laboratory) {
        1,
        "largest_frame_step_ratio",
        "1",
-       "95 % bootstrap over 3 lines of motion",
+       uncertainty_over(kMotionLines, "lines of motion"),
        {kScene},
        "Largest change of brightness between frames at 24 spacings a second (30 frames a second), statistics "
        "interpolated over results interpolated."});

@@ -86,7 +86,7 @@ LedgerEntry bright_entry(const std::vector<CeilingStudy>& studies, HistogramCeil
   const auto interval = mean_interval(added_changes(worst.automatic), seed);
   if (!interval) return entry;
   entry.verdict = decide_claim(*interval, Comparison::kBelow, visible_luma_change(), "mean_added_luma_change",
-                               "luma", "95 % bootstrap over pairs of key views");
+                               "luma", uncertainty_over(worst.automatic.pairs.size(), "pairs of key views"));
   entry.verdict.scenes = ids_of(bright);
   entry.verdict.explanation = fmt::format(
       "RMS change of luma between corresponding pixels of neighbouring key views that their different curves "
@@ -95,6 +95,13 @@ LedgerEntry bright_entry(const std::vector<CeilingStudy>& studies, HistogramCeil
       "that is just visible at luma 0.5 on a display of 300 cd/m².",
       worst.automatic.pairs.size(), worst.automatic.title, worst.automatic.largest_added());
   return entry;
+}
+
+/// The fewest pairs of which none may show a change for the interval to lie below a share.
+std::size_t pairs_to_exclude(double share) {
+  std::size_t pairs = 1;
+  while (share_interval(0, pairs).high > share) ++pairs;
+  return pairs;
 }
 
 LedgerEntry dark_entry(const std::vector<CeilingStudy>& studies, HistogramCeiling ceiling) {
@@ -122,6 +129,10 @@ LedgerEntry dark_entry(const std::vector<CeilingStudy>& studies, HistogramCeilin
       "change of luma above {:.4f}, which is just visible. The test that the "
       "change vanishes with equal numbers was added after a first run.",
       different, pairs, passes, shown, visible_luma_change());
+  if (shown == 0 && share_interval(0, pairs).high > kOften)
+    entry.verdict.explanation +=
+        fmt::format(" None of {} pairs shows it, but {} would be needed to exclude a share of {}.", pairs,
+                    pairs_to_exclude(kOften), kOften);
   return entry;
 }
 
@@ -142,9 +153,9 @@ LedgerEntry fixed_entry(const std::vector<CeilingStudy>& studies, HistogramCeili
   };
   if (squares.automatic.size() < 2 || mean(squares.automatic) == 0) return entry;
   const double automatic_rms = std::sqrt(mean(squares.automatic));
-  entry.verdict =
-      decide_claim(bootstrap_units(squares.automatic.size(), ratio, seed), Comparison::kBelow, kNoFall,
-                   "rms_change_fixed_over_automatic", "1", "95 % bootstrap over pairs of key views");
+  entry.verdict = decide_claim(bootstrap_units(squares.automatic.size(), ratio, seed), Comparison::kBelow,
+                               kNoFall, "rms_change_fixed_over_automatic", "1",
+                               uncertainty_over(squares.automatic.size(), "pairs of key views"));
   entry.verdict.scenes = ids_of(dark);
   entry.verdict.explanation = fmt::format(
       "RMS over {} pairs of the change of luma that the curves add, with {} passes over that with the "

@@ -74,12 +74,23 @@ std::shared_ptr<const MappedKeyViews> MappingBench::key_views(const std::string&
 }
 
 const std::vector<ReferenceFrame>& MappingBench::views_in_cells(const std::string& scene) {
-  static constexpr std::array<CameraPosition, 2> kOffsets{{{0.5, 0.5}, {0.25, 0.6}}};
-  std::vector<ReferenceFrame>& views = scenes_[scene].views_in_cells;
+  static constexpr std::array<CameraPosition, kViewsInCell> kOffsets{{{0.5, 0.5}, {0.25, 0.6}}};
+  return fill_views(scene, kOffsets, scenes_[scene].views_in_cells);
+}
+
+const std::vector<ReferenceFrame>& MappingBench::views_near_key_views(const std::string& scene) {
+  static constexpr std::array<CameraPosition, kViewsOfBorders> kOffsets{
+      {{0.1, 0.1}, {0.9, 0.1}, {0.1, 0.9}, {0.9, 0.9}}};
+  return fill_views(scene, kOffsets, scenes_[scene].views_near_key_views);
+}
+
+const std::vector<ReferenceFrame>& MappingBench::fill_views(const std::string& scene,
+                                                            std::span<const CameraPosition> offsets,
+                                                            std::vector<ReferenceFrame>& views) {
   SynthesisOptions options;
   options.threads = threads();
   if (views.empty())
-    for (const CameraPosition& position : cell_positions(laboratory_.grid(scene), kOffsets))
+    for (const CameraPosition& position : cell_positions(laboratory_.grid(scene), offsets))
       views.push_back(reference_frame(laboratory_.synthesizer(scene), position, options));
   return views;
 }

@@ -16,6 +16,10 @@ namespace plenolab {
 /// there to either edge of the grid.
 inline constexpr int kMotionLines = 3, kMiddleLine = 1;
 
+/// Views that MappingBench has of every cell of a grid. Those of one cell share its key views: claims draw
+/// them together.
+inline constexpr int kViewsInCell = 2, kViewsOfBorders = 4;
+
 /// The motion over a scene that the thesis' figures 42 to 44 use: along the middle row of key views, for the
 /// Dunes along the middle column (where the sun is hidden); ten frames a spacing (twenty along a column),
 /// 30 frames a second. Other lines, in [0, kMotionLines), run parallel to it.
@@ -32,6 +36,9 @@ class MappingBench {
   std::shared_ptr<const MappedKeyViews> key_views(const std::string& scene, const Mapping& mapping);
   /// HDR views within every cell of the grid: at its centre and at a place off every line of symmetry.
   const std::vector<ReferenceFrame>& views_in_cells(const std::string& scene);
+  /// HDR views a tenth of a spacing from the corners of every cell, kViewsOfBorders of each: one key view
+  /// dominates there, and others take over beyond its border.
+  const std::vector<ReferenceFrame>& views_near_key_views(const std::string& scene);
   /// motion_over the scene.
   const RecordedMotion& recording(const std::string& scene, int line = kMiddleLine);
   /// The recording as a mapping shows it; its rows have the columns scene and mapping.
@@ -51,7 +58,7 @@ class MappingBench {
  private:
   struct SceneState {
     std::optional<LightFieldStatistics> statistics;
-    std::vector<ReferenceFrame> views_in_cells;
+    std::vector<ReferenceFrame> views_in_cells, views_near_key_views;
     std::array<std::optional<RecordedMotion>, kMotionLines> recordings;
     std::map<std::pair<int, std::string>, MappedMotion> motions;  ///< by line and mapping
   };
@@ -59,6 +66,11 @@ class MappingBench {
     std::string key;
     std::shared_ptr<const MappedKeyViews> views;
   };
+
+  /// Fills `views`, if empty, with HDR views at the offsets within every cell.
+  const std::vector<ReferenceFrame>& fill_views(const std::string& scene,
+                                                std::span<const CameraPosition> offsets,
+                                                std::vector<ReferenceFrame>& views);
 
   Laboratory& laboratory_;
   std::map<std::string, SceneState> scenes_;

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/base/quantile.h"
+#include "analysis/statistics.h"
 #include "core/tonemap/reinhard_devlin.h"
 
 namespace plenolab {
@@ -20,11 +20,6 @@ double reinhard_exposure(MappingBench& bench, const std::string& scene) {
 
 std::string exposure_setting(double exposure) {
   return fmt::format("exposure={:.6g}", exposure);
-}
-
-double median(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  return quantile_of_sorted(std::span<const double>(values), 0.5);
 }
 
 /// Settings of limits by hand.
@@ -100,7 +95,7 @@ std::vector<double> adaptation_track(const MappedMotion& motion) {
   std::vector<double> track;
   double sum = 0;
   for (const FrameConsistency& frame : motion.frames)
-    track.push_back(sum += frame.change && frame.change->pixels > 0 ? frame.change->mean : 0);
+    track.push_back(sum += frame.change && frame.change->share >= kEnoughOfAFrame ? frame.change->mean : 0);
   return track;
 }
 

@@ -39,7 +39,8 @@ inline constexpr const char* kShortLabels = "Variants without a name: Reinhard 2
 std::vector<Shown> all_shown();
 
 /// What a surface under unchanged light goes through over a motion: the mean change of luma along epipolar
-/// lines (LineChange::mean), added up from the first frame on; 0 at the first. How far and how fast a mapping
+/// lines (LineChange::mean), added up from the first frame on; 0 at the first. A frame of which less than
+/// kEnoughOfAFrame takes part adds nothing. How far and how fast a mapping
 /// adapts, without what enters and leaves the view.
 std::vector<double> adaptation_track(const MappedMotion& motion);
 

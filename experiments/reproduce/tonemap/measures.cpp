@@ -12,7 +12,6 @@ namespace plenolab {
 
 namespace {
 
-constexpr double kEnoughPixels = 0.05;
 constexpr float kSameSurface_px = 0.25f;
 constexpr double kRegionShare = 0.1;
 
@@ -114,7 +113,7 @@ std::vector<PairChange> pair_changes(const LightField& hdr, const DisplayLightFi
     const LineChange change =
         change_along_lines({mapped_a->colour, a->colour, a->disparity},
                            {mapped_b->colour, b->colour, b->disparity}, motion, {.threads = threads});
-    if (change.share >= kEnoughPixels)
+    if (change.share >= kEnoughOfAFrame)
       pairs.push_back({column, row, down, change, log_peak(b->colour) - log_peak(a->colour)});
   };
   if (neighbours != Neighbours::kDown)

@@ -106,7 +106,7 @@ ReproductionResult reproduce_robust_operator(Laboratory& laboratory) {
                {{"range of adaptation, Cellar and Dunes", kept},
                 {"largest change between frames, Cellar and Dunes", lit},
                 {"largest change between frames, Desk and Dominoes", calm}});
-  const std::string uncertainty = "95 % bootstrap over lines of motion in two scenes";
+  const std::string uncertainty = uncertainty_over(steps.size(), "lines of motion in two scenes");
   add_claim(result,
             {"A-T15a", "Altmeier 2018, section 7",
              "Robust statistics can keep adaptation to real changes of light."},
