@@ -116,7 +116,9 @@ ResultTable sweep_adjustment(const LightField& field, const std::string& name, c
   const DisplayLightField mapped = map_field(field, choice, run.threads);
   const double before = NeighbourDifference(field, views_of(mapped)).mean();
   std::map<double, Views> references;  // by sigma
-  std::vector<SweepOutcome> outcomes;
+  // Each width of the filter has a result of its own that supports approximate, so fronts are theirs alone.
+  std::map<double, std::vector<SweepOutcome>> outcomes;
+  std::size_t done = 0;
   for (const AdjustmentSetting& setting : settings) {
     Views& reference = references[setting.sigma_views];
     if (reference.empty())
@@ -124,7 +126,7 @@ ResultTable sweep_adjustment(const LightField& field, const std::string& name, c
     const Adjusted adjusted = adjust(field, mapped, setting, run.threads);
     DifferenceSum difference;
     for (std::size_t i = 0; i < reference.size(); ++i) difference.add(adjusted.views[i], reference[i]);
-    SweepOutcome& outcome = outcomes.emplace_back();
+    SweepOutcome& outcome = outcomes[setting.sigma_views].emplace_back();
     outcome.setting = {{"sigma_views", setting.sigma_views}, {"support_views", setting.support_views}};
     outcome.error = difference.rms();
     outcome.values = {
@@ -137,11 +139,11 @@ ResultTable sweep_adjustment(const LightField& field, const std::string& name, c
          "1"}};
     time_setting(
         outcome, [&] { adjust(field, mapped, setting, run.threads); }, run.runs);
-    if (run.progress)
-      run.progress(static_cast<double>(outcomes.size()) / static_cast<double>(settings.size()));
+    ++done;
+    if (run.progress) run.progress(static_cast<double>(done) / static_cast<double>(settings.size()));
   }
   ResultTable table;
-  add_outcome_rows(table, {{"light_field", name}}, outcomes);
+  for (const auto& [sigma, of_sigma] : outcomes) add_outcome_rows(table, {{"light_field", name}}, of_sigma);
   return table;
 }
 

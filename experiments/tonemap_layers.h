@@ -28,7 +28,7 @@ struct LayerPictures {
   double detail_scale = 0;      ///< s, log10 units
   std::int64_t detail_cut = 0;  ///< values beyond it
 };
-LayerPictures picture_layers(const BilateralLayers& layers, double base_outliers = 0);
+LayerPictures picture_layers(const BilateralLayers& layers, double base_outliers = 0.01);
 
 /// base_m − foreground, empty without a foreground layer.
 Plane<float> temporary_layer(const BilateralLayers& layers);

@@ -28,6 +28,9 @@ void require_exists(const fs::path& path) {
 }
 
 [[noreturn]] void unsupported(const fs::path& path, const char* kind, const char* supported) {
+  std::error_code error;
+  if (fs::is_directory(path, error))
+    throw InputError(fmt::format("{} is a folder; give one image: {}", path.string(), supported));
   throw InputError(fmt::format("{} has the extension \"{}\"; {} images are {}", path.string(),
                                path.extension().string(), kind, supported));
 }

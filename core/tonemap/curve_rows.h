@@ -21,7 +21,9 @@ struct ThreeLines {
   float low = 0, luma_low = 0, high = 1, luma_high = 1;
 };
 
-/// v ← lines(v) for every channel in [0, 1]; results in [0, 1].
-void three_lines_row(std::span<Rgb> row, const ThreeLines& lines);
+/// c ← l'·(c/l)^colour_exponent for every channel c of pixels of luma l, with l' = lines(l) (1 in place of
+/// c/l where l is 0). Colours of which a channel would exceed 1 are drawn towards grey of luma l' until it
+/// is 1. Channels in [0, 1] before and after.
+void three_lines_row(std::span<Rgb> row, const ThreeLines& lines, double colour_exponent);
 
 }  // namespace plenolab

@@ -50,6 +50,9 @@ void RobustAdaptiveOptions::validate() const {
   validate_photoreceptor(brightness, colour_adaptation, light_adaptation);
   check_share("toe", toe);
   check_share("shoulder", shoulder);
+  if (!(colour_exponent >= 0 && colour_exponent <= 1))
+    throw InputError(
+        fmt::format("the exponent of the colour ratio must lie in [0, 1], not {}", colour_exponent));
   if (!(max_slope >= 0.05 && max_slope <= 10))
     throw InputError(
         fmt::format("the largest slope must lie in [0.05, 10] luma per log10 unit, not {}", max_slope));
@@ -74,6 +77,7 @@ RobustAdaptiveParameters fit(const RobustAdaptiveOptions& options, const ImageSt
   p.receptor.colour_adaptation = options.colour_adaptation;
   p.receptor.light_adaptation = options.light_adaptation;
   p.receptor.global = {1, 1, 1};
+  p.colour_exponent = options.colour_exponent;
   p.luma_low = options.toe;
   p.luma_high = 1 - options.shoulder;
   p.knot_low = respond_to_grey(p.receptor, std::pow(10.0, s.log_p1));
@@ -88,7 +92,7 @@ ToneMapped apply(const RobustAdaptiveParameters& p, const SceneImage& view, int 
   return map_rows(view, threads,
                   [&](int, std::span<const Rgb> scene, std::span<Rgb> out, RowBuffers&, MappingCounts&) {
                     respond_row(p.receptor, scene, out);
-                    three_lines_row(out, lines);
+                    three_lines_row(out, lines, p.colour_exponent);
                   });
 }
 

@@ -30,6 +30,21 @@ std::string paragraph_of(const ReproductionResult& result) {
   return text;
 }
 
+/// Each claim with what decided it, as the ledger of the report has it.
+std::string claims_text(const std::vector<LedgerEntry>& ledger) {
+  std::string text;
+  for (const auto& [claim, verdict] : ledger) {
+    text += fmt::format("\n**{}** ({}): {} *{}*", claim.id, claim.where, claim.statement,
+                        outcome_name(verdict.outcome));
+    if (!verdict.quantity.empty() && verdict.interval)
+      text += fmt::format(": {} {:.4g} [{:.4g}, {:.4g}] {} against {} {:.4g}, {}", verdict.quantity,
+                          verdict.number, verdict.interval->low, verdict.interval->high, verdict.unit,
+                          comparison_sign(verdict.comparison), verdict.threshold, verdict.uncertainty);
+    text += fmt::format(". {}\n", verdict.explanation);
+  }
+  return text;
+}
+
 ReportSection section_of(const FinishedReproduction& finished) {
   ReportSection section;
   section.title = finished.item->title;
@@ -138,7 +153,8 @@ std::vector<FinishedReproduction> run_reproductions(
 void file_reproduction(const FinishedReproduction& finished, const fs::path& folder) {
   const fs::path own = folder / finished.item->id;
   const ReproductionResult& result = finished.result;
-  write_text_file(own / "text.md", fmt::format("# {}\n\n{}\n", finished.item->title, paragraph_of(result)));
+  write_text_file(own / "text.md", fmt::format("# {}\n\n{}\n{}", finished.item->title, paragraph_of(result),
+                                               claims_text(result.ledger)));
   if (!result.rows.empty()) write_text_file(own / "rows.csv", to_csv(result.rows));
   for (const NamedPlot& plot : result.plots) write_plot(plot.plot.plot, own / plot.name);
   for (const NamedImage& image : result.images) {

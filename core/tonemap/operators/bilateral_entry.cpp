@@ -68,14 +68,15 @@ FittedOperator fit_entry(std::string_view variant, const SettingValues& values, 
   const bool automatic = !options.compression || !options.brightness;
   const BaseRange bases = automatic ? base_range(options, scope) : BaseRange{};
   const BilateralToneParameters p = fit(options, bases, scope.floor);
-  return {[p](const OperatorView& view, int threads) {
-            return apply(p, *view.colour, view.disparity.get(), threads);
-          },
-          {{"compression", p.compression, ""},
-           {"brightness", p.brightness, "log10 units"},
-           {"foreground_scale", p.foreground_scale, ""},
-           {"colour_exponent", p.colour_exponent, ""}},
-          {}};
+  return keep_black({[p](const OperatorView& view, int threads) {
+                       return apply(p, *view.colour, view.disparity.get(), threads);
+                     },
+                     {{"compression", p.compression, ""},
+                      {"brightness", p.brightness, "log10 units"},
+                      {"foreground_scale", p.foreground_scale, ""},
+                      {"colour_exponent", p.colour_exponent, ""}},
+                     {}},
+                    scope);
 }
 
 }  // namespace

@@ -25,6 +25,9 @@ double number(std::span<const Setting> settings, const SettingValues& values, st
 std::optional<double> number_unless_automatic(std::span<const Setting> settings, const SettingValues& values,
                                               std::string_view name);
 
+/// A fit to a scope without a lit pixel maps to black: there is no luminance that could be called bright.
+FittedOperator keep_black(FittedOperator fitted, const FitScope& scope);
+
 /// Statistics of a frame: those of the key views blended bilinearly, then adapted in time.
 Adapted<ImageStatistics> follow_statistics(const FrameInput& frame,
                                            const std::optional<FrameState>& previous);

@@ -91,7 +91,7 @@ FittedOperator fit_entry(std::string_view, const SettingValues& values, const Fi
        {"cd_m2_per_unit", options.cd_m2_per_unit, "cd/m2"}},
       {}};
   if (p.linear) fitted.notes.push_back("linear mapping: " + p.linear_because);
-  return fitted;
+  return keep_black(std::move(fitted), scope);
 }
 
 }  // namespace

@@ -109,7 +109,7 @@ MappedFrame map_interpolating_results(const SettingValues& values, const FrameIn
           report(contrast, parameters.front().exposure, limits)};
 }
 
-/// The thesis' section 5.2.2: statistics, and the limits likewise, blended and adapted in time.
+/// The thesis' section 5.2.2: statistics blended, the limits of this frame, both adapted in time.
 MappedFrame map_interpolating_statistics(const SettingValues& values, const FrameInput& frame,
                                          const std::optional<FrameState>& previous) {
   MappedFrame result;
@@ -139,20 +139,22 @@ MappedFrame map_entry(std::string_view variant, const SettingValues& values, con
 }  // namespace
 
 OperatorInfo reinhard_devlin_entry() {
-  return {.id = "reinhard05",
-          .title = "Reinhard & Devlin 2005",
-          .description = "photoreceptor curve normalised to the extremes of luma",
-          .source = "Reinhard & Devlin 2005; thesis of Altmeier, sections 5.1.5, 5.1.6 and 5.2",
-          .input_unit = "cd/m2",
-          .settings = settings(),
-          .variants = {{"naive", OperatorScope::kView, false, "statistics and limits of each view"},
-                       {"joint", OperatorScope::kLightField, false, "statistics and limits of all views"},
-                       {"interpolate-results", OperatorScope::kFrame, false,
-                        "frames, mapped with the statistics of each near key view and blended"},
-                       {"interpolate-statistics", OperatorScope::kFrame, false,
-                        "frames, with statistics of key views and limits blended and adapted in time"}},
-          .fit = fit_entry,
-          .map_frame = map_entry};
+  return {
+      .id = "reinhard05",
+      .title = "Reinhard & Devlin 2005",
+      .description = "photoreceptor curve normalised to the extremes of luma",
+      .source = "Reinhard & Devlin 2005; thesis of Altmeier, sections 5.1.5, 5.1.6 and 5.2",
+      .input_unit = "cd/m2",
+      .settings = settings(),
+      .variants =
+          {{"naive", OperatorScope::kView, false, "statistics and limits of each view"},
+           {"joint", OperatorScope::kLightField, false, "statistics and limits of all views"},
+           {"interpolate-results", OperatorScope::kFrame, false,
+            "frames, mapped with the statistics of each near key view and blended"},
+           {"interpolate-statistics", OperatorScope::kFrame, false,
+            "frames, with statistics of key views blended and limits of the frame, both adapted in time"}},
+      .fit = fit_entry,
+      .map_frame = map_entry};
 }
 
 }  // namespace plenolab

@@ -19,6 +19,7 @@ const std::vector<Setting>& settings() {
       {"max_slope", d.max_slope, 0.05, 10, "luma per log10 unit",
        "largest mean slope between the percentiles"},
       {"glare", d.glare, 0, 0.5, "log10 units", "dimming for each decade of light at the eye"},
+      colour_exponent_setting(d.colour_exponent),
   };
   return table;
 }
@@ -30,6 +31,7 @@ RobustAdaptiveOptions options_of(const SettingValues& values) {
           .toe = number(settings(), values, "toe"),
           .shoulder = number(settings(), values, "shoulder"),
           .max_slope = number(settings(), values, "max_slope"),
+          .colour_exponent = number(settings(), values, "alpha"),
           .glare = number(settings(), values, "glare")};
 }
 

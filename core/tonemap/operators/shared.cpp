@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "core/base/error.h"
+#include "core/tonemap/map_rows.h"
 #include "core/tonemap/operators/entries.h"
 
 namespace plenolab {
@@ -26,6 +29,18 @@ std::optional<double> number_unless_automatic(std::span<const Setting> settings,
                                               std::string_view name) {
   const SettingValue value = value_of(settings, values, name);
   return value.automatic ? std::nullopt : std::optional<double>(value.number);
+}
+
+FittedOperator keep_black(FittedOperator fitted, const FitScope& scope) {
+  if (scope.statistics.average_luminance > 0) return fitted;
+  fitted.apply = [](const OperatorView& view, int threads) {
+    return map_rows(*view.colour, threads,
+                    [](int, std::span<const Rgb>, std::span<Rgb> out, RowBuffers&, MappingCounts&) {
+                      std::fill(out.begin(), out.end(), Rgb{});
+                    });
+  };
+  fitted.notes = {"no pixel is lit, so the image stays black"};
+  return fitted;
 }
 
 Adapted<ImageStatistics> follow_statistics(const FrameInput& frame,

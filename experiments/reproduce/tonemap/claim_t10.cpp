@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "experiments/reproduce/claims/claim_statistics.h"
 #include "experiments/reproduce/claims/probes.h"
@@ -85,7 +86,7 @@ struct AdjustmentNumbers {
   Series neighbours;  ///< brightness of neighbouring key views, those that differ visibly before
   Series far;         ///< brightness of key views at opposite ends of the grid, likewise
   Series sudden;      ///< largest change between frames of the motions
-  std::vector<double> border_steps;  ///< in views within the cells, after adjustment
+  std::map<std::string, std::vector<double>> border_steps;  ///< by scene, in views within the cells, adjusted
 };
 
 /// Only pairs that differ visibly before have something to lower or to keep.
@@ -114,7 +115,14 @@ void measure_scene(MappingBench& bench, const std::string& scene, AdjustmentNumb
   for (const double step : border_steps(
            frame_inconsistencies(bench, scene, adjusted, mapping_for(bench, scene, Shown::kReinhardJoint),
                                  bench.views_in_cells(scene))))
-    numbers.border_steps.push_back(step);
+    numbers.border_steps[scene].push_back(step);
+}
+
+/// The numbers of the scene whose mean is largest.
+const std::vector<double>& worst_of(const std::map<std::string, std::vector<double>>& by_scene) {
+  return std::max_element(by_scene.begin(), by_scene.end(),
+                          [](const auto& a, const auto& b) { return mean(a.second) < mean(b.second); })
+      ->second;
 }
 
 /// Pixel differences of corresponding pixels of neighbouring views before and after, per scene.
@@ -153,7 +161,7 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
   const auto neighbours = mean_ratio(numbers.neighbours.after, numbers.neighbours.before, seed),
              far = mean_ratio(numbers.far.after, numbers.far.before, seed),
              sudden = mean_ratio(numbers.sudden.after, numbers.sudden.before, seed),
-             borders = mean_interval(numbers.border_steps, seed, kViewsInCell);
+             borders = mean_interval(worst_of(numbers.border_steps), seed, kViewsInCell);
   std::vector<MeasuredNumber> kept_by_sigma;
   for (const double sigma : kSigmas)
     kept_by_sigma.push_back(
@@ -168,7 +176,7 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
       "After over before adjustment: differences of neighbouring key views {}, of key views at opposite ends "
       "of our small grids {} (those that differ visibly before), largest change between frames {}. Of a "
       "brightness that rises over 17 key views {} is kept. Steps across borders of visibility after "
-      "adjustment: {} of luma.",
+      "adjustment, in the scene where they are largest: {} of luma.",
       text_of(neighbours), text_of(far), text_of(sudden), text_of(kept), text_of(borders));
   result.add_table(std::move(table));
   add_measured(result, "Adjusted over naive", "adjusted_over_naive", "1",
@@ -219,12 +227,15 @@ ReproductionResult reproduce_claim_t10(Laboratory& laboratory) {
              uncertainty_over(numbers.sudden.before.size(), "lines of motion"),
              {"cellar", "dunes"},
              "Largest change of brightness from frame to frame; lost means to less than half."});
-  add_claim(result,
-            {"A-T10d", "Altmeier 2018, section 5.3",
-             "After key-view adjustment no borders of visibility are visible."},
-            {borders, Comparison::kBelow, kSmallestStep, "border_step", "luma",
-             uncertainty_over(numbers.border_steps.size(), "views within the cells", kViewsInCell), scenes,
-             "Steps beyond those of the joint variant, less than one step of an 8-bit display."});
+  add_claim(
+      result,
+      {"A-T10d", "Altmeier 2018, section 5.3",
+       "After key-view adjustment no borders of visibility are visible."},
+      {borders, Comparison::kBelow, kSmallestStep, "border_step", "luma",
+       uncertainty_over(worst_of(numbers.border_steps).size(), "views within the cells", kViewsInCell),
+       scenes,
+       "Steps beyond those of the joint variant, less than one step of an 8-bit display, in the scene where "
+       "they are largest; a first version took the mean over scenes."});
   if (neighbours)
     result.key_figures.push_back({"Neighbouring key views, adjusted", format_number(neighbours->estimate, 2),
                                   "×", "difference in brightness over that before, Reinhard 2005"});

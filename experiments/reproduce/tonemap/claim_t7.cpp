@@ -86,7 +86,9 @@ ReproductionResult reproduce_claim_t7(Laboratory& laboratory) {
        "Interpolating statistics instead of results changes little for Reinhard 2005."},
       {difference, Comparison::kBelow, kLittle, "mean_difference", "encoded", uncertainty, scenes,
        "Mean absolute difference of the encoded channels; little means less than five steps of an 8-bit "
-       "display, as the brightness of a whole view is hard to compare."});
+       "display, as the brightness of a whole view is hard to compare. In still views within the cells; in "
+       "motion the "
+       "two differ more where light appears, see figures 43 and 44."});
   result.differs = outcome_words(result);
   return result;
 }

@@ -102,7 +102,7 @@ ReportPlot track_plot(const MotionStudy& study, const std::string& y, const std:
             .maximum = {}};
   plot.y = {.title = y, .unit = {}, .minimum = {}, .maximum = {}};
   plot.key = KeyPosition::kOutside;
-  plot.marked_title = "light changes";
+  plot.marked_title = "peak luminance changes most";
   plot.width_px = 960;
   for (const MotionShown& m : study.mappings) {
     PlotSeries series{short_label(m.mapping.label), PlotSeries::Style::kLines, {}};

@@ -93,6 +93,11 @@ TEST_P(EveryOperator, CountsEveryRepairedValueAndMapsTheRepairedImageAlike) {
   EXPECT_EQ(map(image).counts.repairs, PixelRepairs{});
 }
 
+TEST_P(EveryOperator, KeepsABlackImageBlack) {
+  for (const SceneImage& black : {SceneImage(9, 7), grey_image(1, 1, [](int, int) { return -1.0f; })})
+    EXPECT_EQ(map(black).image, DisplayImage(black.width(), black.height()));
+}
+
 TEST_P(EveryOperator, KeepsColourlessImagesColourless) {
   const SceneImage grey =
       grey_image(31, 7, [](int x, int y) { return std::pow(10.0f, 0.1f * static_cast<float>(x - y)); });

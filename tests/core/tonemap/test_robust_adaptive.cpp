@@ -133,5 +133,24 @@ TEST(RobustAdaptive, OptionsOutOfRangeAreErrors) {
   EXPECT_THROW((RobustAdaptiveOptions{.glare = -0.1}.validate()), InputError);
 }
 
+TEST(RobustAdaptive, ShadowsKeepTheirHueWithoutBecomingSaturated) {
+  SceneImage image = random_scene(64, 48, 2, 10);
+  image.at(5, 5) = {0.02f, 0.015f, 0.011f};  // brownish, below the first percentile
+  const Rgb shown = mapped(image).at(5, 5);
+  EXPECT_GT(shown.r, shown.g);
+  EXPECT_GT(shown.g, shown.b);
+  // Encoded as other operators do, the ratio of channels is (0.02/0.011)^(1/2.2) = 1.31.
+  EXPECT_LT(shown.r / shown.b, 1.4f);
+}
+
+TEST(RobustAdaptive, DrawsColoursTooBrightToShowTowardsGreyInsteadOfClippingThem) {
+  SceneImage image = random_scene(64, 48, 2, 10);
+  image.at(5, 5) = {1e5f, 1e3f, 1e3f};
+  const Rgb shown = mapped(image).at(5, 5);
+  EXPECT_EQ(shown.r, 1.0f);
+  EXPECT_GT(shown.g, 0.2f);
+  EXPECT_NEAR(shown.g, shown.b, 1e-6f);
+}
+
 }  // namespace
 }  // namespace plenolab

@@ -104,8 +104,9 @@ TEST(ClaimsAppearance, NoOrOneLampGivesNoIntervalThatCouldDecideAClaim) {
   EXPECT_FALSE(mean_spots(one, 1).has_value());
   ASSERT_TRUE(mean_spots(two, 1).has_value());
   EXPECT_EQ(mean_spots(two, 1)->estimate, 2.5);
-  EXPECT_EQ(mean_spots(two, 1)->low, 1);
-  EXPECT_EQ(mean_spots(two, 1)->high, 4);
+  EXPECT_LT(mean_spots(two, 1)->low,
+            0);  // two values say next to nothing: t of one degree of freedom is 12.7
+  EXPECT_GT(mean_spots(two, 1)->high, 5);
   EXPECT_EQ(mean_truth_spots(none), 0);
 }
 
