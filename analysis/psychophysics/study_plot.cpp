@@ -70,8 +70,7 @@ Plot study_plot(const Study& study, bool counts) {
   const double scale = counts ? static_cast<double>(study.rows.front().count.chose_test.trials) : 1;
   Plot plot;
   plot.x = {.title = "Image"};
-  plot.y = {.title = counts ? "Participants who took the test image for the reference"
-                            : "Share of trials in which the test image was taken for the reference",
+  plot.y = {.title = counts ? "Choices of the test image" : "Share of choices of the test image",
             .minimum = 0,
             .maximum = scale};
   plot.categories = images;
@@ -80,8 +79,7 @@ Plot study_plot(const Study& study, bool counts) {
   for (const std::string& display : displays) plot.series.push_back(bars_of(study, display, images, scale));
   const std::vector<double> heights = critical_heights(study, images, scale);
   plot.series.push_back(line_at(
-      equal_trials(study) ? fmt::format("critical number {}", study.rows.front().critical) : "critical share",
-      heights));
+      equal_trials(study) ? fmt::format("to pass: {}", study.rows.front().critical) : "to pass", heights));
   plot.series.push_back(line_at("guessing", std::vector<double>(images.size(), scale * 0.5)));
   return plot;
 }
