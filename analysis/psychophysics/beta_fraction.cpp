@@ -20,22 +20,23 @@ double away_from_zero(double value) {
 }  // namespace
 
 double beta_fraction(double a, double b, double x, double y) {
-  // 1 − (a + b)x/(a + 1), written without the cancellation that large a and b would bring.
-  double d = 1 / away_from_zero((1 + a * y - b * x) / (a + 1));
-  double c = 1, fraction = d;
-  const auto step = [&](double numerator) {
-    d = 1 / away_from_zero(1 + numerator * d);
-    c = away_from_zero(1 + numerator / c);
-    fraction *= c * d;
-    return std::abs(c * d - 1);
+  // (a + 1) − (a + b + …)x, written without the cancellation that large a and b would bring.
+  const double lambda = a * y - b * x;
+  const auto denominator = [&](double n) {
+    const double first = n > 0 ? n + n * (b - n) * x / (a + 2 * n - 1) : 0;
+    return first + (a + n) / (a + 2 * n + 1) * (lambda + 1 + n * (1 + y));
   };
+  double fraction = away_from_zero(denominator(0)), c = fraction, d = 0;
   for (long long m = 1; m < kMostSteps; ++m) {
-    const double k = static_cast<double>(m), two_k = 2 * k;
-    step(k * (b - k) * x / ((a + two_k - 1) * (a + two_k)));
-    if (step(-(a + k) * (a + b + k) * x / ((a + two_k) * (a + two_k + 1))) < 1e-15) return fraction;
+    const double n = static_cast<double>(m), middle = a + 2 * n - 1;
+    const double numerator = (a + n - 1) / middle * ((a + b + n - 1) / middle) * n * (b - n) * x * x;
+    d = 1 / away_from_zero(denominator(n) + numerator * d);
+    c = away_from_zero(denominator(n) + numerator / c);
+    fraction *= c * d;
+    if (std::abs(c * d - 1) < 1e-15) return a / fraction;
   }
   PLENOLAB_CHECK(false, fmt::format("beta fraction of a = {}, b = {}, x = {} does not converge", a, b, x));
-  return fraction;
+  return 0;
 }
 
 }  // namespace plenolab::detail

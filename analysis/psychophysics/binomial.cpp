@@ -52,7 +52,7 @@ double log_probability(double k, double n, double p, double q) {
   if (k == n) return n * (q < 0.5 ? std::log1p(-q) : std::log(p));
   const double exponent = stirling_error(n) - stirling_error(k) - stirling_error(n - k) -
                           deviance_term(k, n * p) - deviance_term(n - k, n * q);
-  return exponent - 0.5 * (std::log(2 * std::numbers::pi) + std::log(k) + std::log1p(-k / n));
+  return exponent - 0.5 * (std::log(2 * std::numbers::pi) + std::log(k) + std::log((n - k) / n));
 }
 
 /// log P(X ≥ k) where the tail holds less than about half: 1 ≤ k ≤ n, 0 < p < 1.

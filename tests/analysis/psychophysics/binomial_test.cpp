@@ -84,6 +84,16 @@ TEST(Binomial, FarTailsNeitherUnderNorOverflow) {
   EXPECT_NEAR(log_upper_tail(500100000, 1000000000, 0.5) / -22.786775621823525, 1, 1e-11);
 }
 
+// Few failures in very many trials are Poisson to 1e-8: P(Y ≤ 2) with mean 10 is 61 e^{-10}; the difference
+// is that of P(Y = k) = C(n, k) q^k (1 − q)^(n − k), summed.
+TEST(Binomial, KeepsItsDigitsWhereAlmostEveryTrialHits) {
+  constexpr double kMiss = 0x1p-27, kTrials = 1e9;
+  const double none = std::exp(kTrials * std::log1p(-kMiss)), odds = kMiss / (1 - kMiss);
+  const double sum = none * (1 + kTrials * odds + kTrials * (kTrials - 1) / 2 * odds * odds);
+  EXPECT_NEAR(upper_tail(999'999'998, 1'000'000'000, 1 - kMiss) / sum, 1, 1e-12);
+  EXPECT_NEAR(lower_tail(2, 1'000'000'000, kMiss) / sum, 1, 1e-12);
+}
+
 TEST(Binomial, ProbabilitiesSumToOneAndMatchTheirRatio) {
   double sum = 0;
   for (int k = 0; k <= 50; ++k) sum += std::exp(log_binomial_probability(k, 50, 0.19));
