@@ -126,19 +126,6 @@ void add_observer_rows(ResultTable& table, const ObserverSummary& observer) {
   }
 }
 
-/// What can be said about equivalence.
-std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& options) {
-  const std::string margin = fmt::format("{:g} ± {:g}", options.centre, options.margin);
-  if (row.equivalence.empty())
-    return fmt::format("no count of {} trials could show that the rate lies within {}",
-                       row.count.chose_test.trials, margin);
-  if (row.equivalent())
-    return fmt::format("indistinguishable within {} (TOST p = {})", margin,
-                       format_number(row.equivalence_p, 3));
-  return fmt::format("that the rate lies within {} is not shown (it takes {} to {})", margin,
-                     row.equivalence.low, row.equivalence.high);
-}
-
 }  // namespace
 
 void StudyOptions::validate() const {
@@ -178,18 +165,31 @@ std::string verdict_word(const StudyRow& row) {
   return row.passed ? "passed" : "failed";
 }
 
-std::string verdict_text(const StudyRow& row, const StudyOptions& options) {
+std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& options) {
+  const std::string margin = fmt::format("{:g} ± {:g}", options.centre, options.margin);
+  if (row.equivalence.empty())
+    return fmt::format("no count of {} trials could show that the rate lies within {}",
+                       row.count.chose_test.trials, margin);
+  if (row.equivalent())
+    return fmt::format("indistinguishable within {} (TOST p = {})", margin,
+                       format_number(row.equivalence_p, 3));
+  return fmt::format("that the rate lies within {} is not shown (it takes {} to {})", margin,
+                     row.equivalence.low, row.equivalence.high);
+}
+
+std::string pass_text(const StudyRow& row, const StudyOptions& options) {
   const auto [hits, trials] = row.count.chose_test;
-  std::string text;
   if (row.critical > trials)
-    text = fmt::format("failed: no count of {} trials can refute a rate of {:g}", trials, options.p_null);
-  else if (row.passed)
-    text = fmt::format("passed: {} of {} reach {}, so the rate is above {:g} (p = {})", hits, trials,
+    return fmt::format("failed: no count of {} trials can refute a rate of {:g}", trials, options.p_null);
+  if (row.passed)
+    return fmt::format("passed: {} of {} reach {}, so the rate is above {:g} (p = {})", hits, trials,
                        row.critical, options.p_null, format_number(row.p_value, 3));
-  else
-    text = fmt::format("failed: {} of {} do not reach {}, so a rate of {:g} is not refuted (p = {})", hits,
-                       trials, row.critical, options.p_null, format_number(row.p_value, 3));
-  return text + "; " + equivalence_text(row, options.equivalence) + ".";
+  return fmt::format("failed: {} of {} do not reach {}, so a rate of {:g} is not refuted (p = {})", hits,
+                     trials, row.critical, options.p_null, format_number(row.p_value, 3));
+}
+
+std::string verdict_text(const StudyRow& row, const StudyOptions& options) {
+  return pass_text(row, options) + "; " + equivalence_text(row, options.equivalence) + ".";
 }
 
 ResultTable study_table(const Study& study) {

@@ -66,6 +66,9 @@ Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& 
 
 /// What the row says, in one sentence. "Indistinguishable" appears only where the equivalence test succeeded.
 std::string verdict_text(const StudyRow& row, const StudyOptions& options);
+/// Its two halves: what passing or failing says, and what is known about equivalence.
+std::string pass_text(const StudyRow& row, const StudyOptions& options);
+std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& options);
 /// "passed" or "failed".
 std::string verdict_word(const StudyRow& row);
 

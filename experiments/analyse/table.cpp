@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -119,13 +120,27 @@ void print_power(const Study& study) {
                study.options.alternatives[i], row.power[i]);
 }
 
-void print_for_people(const Study& study, const ResultTable& table) {
-  fmt::print("{}\n", to_wide_text(table, {"display", "image"}, columns_for_people(study)));
+/// Whether the same is to be said about the equivalence of all rows.
+bool one_equivalence_text(const Study& study) {
+  const std::string first = equivalence_text(study.rows.front(), study.options.equivalence);
+  return std::all_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& row) {
+    return equivalence_text(row, study.options.equivalence) == first;
+  });
+}
+
+void print_verdicts(const Study& study) {
+  const bool once = one_equivalence_text(study);
   for (const StudyRow& row : study.rows)
-    fmt::print("{} {}: {}{}\n", row.count.display, row.count.image, verdict_text(row, study.options),
-               printed(row));
+    fmt::print("{} {}: {}{}\n", row.count.display, row.count.image,
+               once ? pass_text(row, study.options) + "." : verdict_text(row, study.options), printed(row));
   fmt::print("\nPassing means only that a rate of {:g} is refuted (p < {:g}, each row by itself).\n",
              study.options.p_null, study.options.alpha);
+  if (once) fmt::print("Equivalence: {}.\n", equivalence_text(study.rows.front(), study.options.equivalence));
+}
+
+void print_for_people(const Study& study, const ResultTable& table) {
+  fmt::print("{}\n", to_wide_text(table, {"display", "image"}, columns_for_people(study)));
+  print_verdicts(study);
   print_power(study);
   fmt::print(
       "If every true rate were {:g}, at least one of the {} rows would pass with probability {:.3f}.\n",

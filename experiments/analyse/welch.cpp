@@ -48,8 +48,7 @@ std::vector<double> read_values(const std::string& file, const std::string& colu
 Sample read_sample(const std::string& text, const std::string& option, const std::string& column,
                    Provenance& provenance) {
   if (split_list(text).size() == 3) {
-    constexpr double kAny = std::numeric_limits<double>::max();
-    const std::vector<double> numbers = parse_numbers(text, option, -kAny, kAny);
+    const std::vector<double> numbers = parse_numbers(text, option, -1e300, 1e300);
     if (numbers[2] != std::floor(numbers[2]) || !(numbers[2] >= 2 && numbers[2] <= 1e15))
       throw UsageError(fmt::format("{}: N must be a whole number from 2, not {:g}", option, numbers[2]));
     return {{numbers[0], numbers[1], static_cast<std::int64_t>(numbers[2])}, {}};
