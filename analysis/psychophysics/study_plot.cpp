@@ -78,8 +78,11 @@ Plot study_plot(const Study& study, bool counts) {
   plot.width_px = 860;
   for (const std::string& display : displays) plot.series.push_back(bars_of(study, display, images, scale));
   const std::vector<double> heights = critical_heights(study, images, scale);
-  plot.series.push_back(line_at(
-      equal_trials(study) ? fmt::format("to pass: {}", study.rows.front().critical) : "to pass", heights));
+  plot.series.push_back(line_at(equal_trials(study)
+                                    ? fmt::format("to pass: {} of {}", study.rows.front().critical,
+                                                  study.rows.front().count.chose_test.trials)
+                                    : "to pass",
+                                heights));
   plot.series.push_back(line_at("guessing", std::vector<double>(images.size(), scale * 0.5)));
   return plot;
 }
