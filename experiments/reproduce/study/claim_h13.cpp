@@ -116,8 +116,8 @@ ReproductionResult reproduce_claim_h13(Laboratory&) {
   result.differs =
       outcome_words(result) +
       fmt::format(
-          " Five images are too few to tell a predictor from none. Without image 5, which was made to "
-          "fail, ρ is {:.2f} on the light-field display and {:.2f} on the monitor.",
+          " Five images are too few to tell a predictor from none. Without image 5, which was made to fail, "
+          "ρ is {:.2f} on the light-field display and {:.2f} on the monitor.",
           display, monitor);
   result.add_plot("choices-over-difference", scatter(d.mean));
   result.add_table(std::move(table));

@@ -13,11 +13,10 @@ bool disagrees(const StudyRow& row) {
 }
 
 ReportTable count_table(const Study& study, const std::string& caption) {
-  ReportTable table{
-      caption,
-      {"display", "image", "chose IC", "share", "95 % from", "to", "to pass", "verdict", "printed"},
-      {},
-      3};
+  ReportTable table{caption,
+                    {"display", "image", "chose IC", "share", "from", "to", "to pass", "verdict", "printed"},
+                    {},
+                    3};
   for (const StudyRow& row : study.rows)
     table.rows.push_back({row.count.display, row.count.image,
                           static_cast<long long>(row.count.chose_test.hits), row.rate.estimate, row.rate.low,
@@ -68,16 +67,18 @@ StudyOptions published_options() {
 
 void add_study(ReproductionResult& result, const Study& study, const std::string& caption) {
   result.rows.append(study_table(study));
-  result.add_table(count_table(study, caption));
+  result.add_table(count_table(study, caption + "; share with exact 95 % interval, count to reach"));
   result.add_table(test_table(study));
+  add_meaning_of_passing(result, study);
+}
+
+void add_meaning_of_passing(ReproductionResult& result, const Study& study) {
   const EquivalenceOptions& equivalence = study.options.equivalence;
   const StudyRow& row = study.rows.front();
   result.blocks.emplace_back(Paragraph{fmt::format(
       "Passing means that a rate of {:g} is refuted, and no more: an image passes with probability {}. If "
-      "all "
-      "true rates were {:g}, at least one of the {} rows would pass with probability {:.3f}. Equivalence "
-      "with "
-      "guessing (rate within {:g} ± {:g}): {}.",
+      "all true rates were {:g}, at least one of the {} rows would pass with probability {:.3f}. Equivalence "
+      "with guessing (rate within {:g} ± {:g}): {}.",
       study.options.p_null, power_words(study), study.options.p_null, study.rows.size(), study.any_false_pass,
       equivalence.centre, equivalence.margin, region_words(row))});
 }
