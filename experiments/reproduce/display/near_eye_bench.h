@@ -1,0 +1,58 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "experiments/near_eye.h"
+#include "experiments/reproduce/laboratory.h"
+
+namespace plenolab {
+
+/// What the items on the near-eye display share during one run: the five scenes, their light fields with every
+/// camera rendered (VC) and reprojected (IC), each computed when first asked for and kept. References stay
+/// valid. A tiny run has subimages of 27 px (54 rendered) and 5 × 3 cameras 2.8 mm apart.
+class NearEyeBench {
+ public:
+  explicit NearEyeBench(Laboratory& laboratory) : laboratory_(laboratory) {}
+
+  /// A way to make a light field from few cameras.
+  struct Recipe {
+    ReprojectionMethod method = ReprojectionMethod::kTwoStep;
+    HoleFill holes = HoleFill::kMean;
+    int cameras = 4, supersampling = 2;
+  };
+
+  const std::vector<std::string>& scene_ids() const;
+  const NearEyeScene& scene(const std::string& id, int supersampling = 2);
+  CameraArray array(const std::string& id, int supersampling = 2);
+  /// Every camera rendered, at the rendered size.
+  const DirectLightField& direct(const std::string& id, int supersampling = 2);
+  /// The same at the size of the display's subimages.
+  const DisplayImage& truth(const std::string& id, int supersampling = 2);
+  const std::vector<RenderedCamera>& cameras(const std::string& id, int cameras, int supersampling = 2);
+  /// Reprojected with maps recorded, at the rendered size.
+  const ReprojectionResult& reprojected(const std::string& id, const Recipe& recipe);
+  /// The same at the size of the display's subimages.
+  DisplayImage image(const std::string& id, const Recipe& recipe);
+  /// Layout at the size of the display's subimages.
+  SubimageLayout subimages(const std::string& id);
+
+  int threads() const { return laboratory_.options().threads; }
+
+ private:
+  using Key = std::tuple<std::string, int>;
+  using RecipeKey = std::tuple<std::string, int, int, int, int>;
+
+  Laboratory& laboratory_;
+  std::map<std::string, DirectScene> built_;
+  std::map<Key, NearEyeScene> scenes_;
+  std::map<Key, DirectLightField> direct_;
+  std::map<Key, DisplayImage> truth_;
+  std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
+  std::map<RecipeKey, ReprojectionResult> reprojected_;
+};
+
+}  // namespace plenolab
