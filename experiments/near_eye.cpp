@@ -19,8 +19,8 @@ struct FillName {
   const char* name;
 };
 constexpr std::array kFills{FillName{HoleFill::kMean, "mean"}, FillName{HoleFill::kEdge, "edge"},
-                            FillName{HoleFill::kBackground, "background"}, FillName{HoleFill::kNearest, "nearest"},
-                            FillName{HoleFill::kBlack, "black"}};
+                            FillName{HoleFill::kBackground, "background"},
+                            FillName{HoleFill::kNearest, "nearest"}, FillName{HoleFill::kBlack, "black"}};
 
 int code_of(float value) {
   return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
@@ -29,10 +29,13 @@ int code_of(float value) {
 /// Statistics of a histogram of differences of 8-bit codes.
 ChannelDifference summarise(const std::array<std::int64_t, 256>& counts) {
   std::int64_t total = 0, sum = 0;
-  for (int d = 0; d < 256; ++d) total += counts[static_cast<std::size_t>(d)], sum += d * counts[static_cast<std::size_t>(d)];
+  for (int d = 0; d < 256; ++d)
+    total += counts[static_cast<std::size_t>(d)], sum += d * counts[static_cast<std::size_t>(d)];
   const auto value_at = [&](std::int64_t rank) {
     int d = 0;
-    for (std::int64_t below = counts[0]; below <= rank && d < 255; below += counts[static_cast<std::size_t>(d)]) ++d;
+    for (std::int64_t below = counts[0]; below <= rank && d < 255;
+         below += counts[static_cast<std::size_t>(d)])
+      ++d;
     return d / 255.0;
   };
   return {value_at(0), value_at(total - 1), static_cast<double>(sum) / static_cast<double>(total) / 255,
@@ -41,7 +44,8 @@ ChannelDifference summarise(const std::array<std::int64_t, 256>& counts) {
 
 void copy_into(const DisplayImage& view, DisplayImage& light_field, int column, int row) {
   for (int y = 0; y < view.height(); ++y)
-    std::copy(view.row(y), view.row(y) + view.width(), light_field.row(row * view.height() + y) + column * view.width());
+    std::copy(view.row(y), view.row(y) + view.width(),
+              light_field.row(row * view.height() + y) + column * view.width());
 }
 
 Plane<float> depths_of(const DisparityMap& disparity, const ViewGrid& grid) {
@@ -66,10 +70,12 @@ NearEyeScene prepare_near_eye(const DirectScene& scene, int supersampling, doubl
 CameraArray camera_array(const ViewGrid& grid) {
   grid.validate();
   if (grid.width != grid.height)
-    throw InputError(fmt::format("subimages are square, but the views have {} × {} px", grid.width, grid.height));
+    throw InputError(
+        fmt::format("subimages are square, but the views have {} × {} px", grid.width, grid.height));
   if (std::abs(grid.vertical_ratio() - 1) > 1e-6)
-    throw InputError(fmt::format("lenses are as far apart across as down, but the cameras are {:g} m and {:g} m apart",
-                                 grid.spacing_x_m, grid.spacing_y_m));
+    throw InputError(
+        fmt::format("lenses are as far apart across as down, but the cameras are {:g} m and {:g} m apart",
+                    grid.spacing_x_m, grid.spacing_y_m));
   return {{grid.columns, grid.rows, grid.width}, grid.spacing_x_m, grid.fov_h_deg};
 }
 
@@ -84,8 +90,8 @@ std::vector<std::array<int, 2>> rendered_positions(const SubimageLayout& layout,
 std::vector<RenderedCamera> render_cameras(const NearEyeScene& scene, int cameras, int threads) {
   std::vector<RenderedCamera> rendered;
   for (const auto& [column, row] : rendered_positions(camera_array(scene.grid).layout, cameras)) {
-    DirectView view =
-        render_direct(scene.scene, scene.grid, {static_cast<double>(column), static_cast<double>(row)}, threads);
+    DirectView view = render_direct(scene.scene, scene.grid,
+                                    {static_cast<double>(column), static_cast<double>(row)}, threads);
     rendered.push_back({column, row, expose(view.radiance, scene.exposure), std::move(view.depth_m)});
   }
   return rendered;
@@ -95,7 +101,8 @@ std::vector<RenderedCamera> cameras_of(const LightField& field, int cameras, flo
   std::vector<RenderedCamera> rendered;
   for (const auto& [column, row] : rendered_positions(camera_array(field.grid()).layout, cameras)) {
     const auto view = field.view(column, row);
-    rendered.push_back({column, row, expose(view->colour, exposure), depths_of(view->disparity, field.grid())});
+    rendered.push_back(
+        {column, row, expose(view->colour, exposure), depths_of(view->disparity, field.grid())});
   }
   return rendered;
 }
@@ -103,7 +110,8 @@ std::vector<RenderedCamera> cameras_of(const LightField& field, int cameras, flo
 DirectLightField render_directly(const NearEyeScene& scene, int threads) {
   const Stopwatch watch;
   DirectView views = render_direct_views(scene.scene, scene.grid, threads);
-  DirectLightField result{DisplayImage(views.radiance.width(), views.radiance.height()), std::move(views.depth_m), 0};
+  DirectLightField result{DisplayImage(views.radiance.width(), views.radiance.height()),
+                          std::move(views.depth_m), 0};
   // Row by row on all cores: the same as expose() of every view.
   parallel_for(views.radiance.height(), 16, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
@@ -126,7 +134,8 @@ DirectLightField directly_from(const LightField& field, float exposure) {
   return result;
 }
 
-DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling, int threads) {
+DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling,
+                          int threads) {
   DisplayImage image = light_field;
   for (int factor = supersampling; factor > 1; factor /= 2) {
     image = halve_subimages(image, layout, threads);

@@ -22,8 +22,8 @@ inline constexpr int kSubimagePixels = 81;
 /// A scene ready to be rendered for the display.
 struct NearEyeScene {
   DirectScene scene;
-  ViewGrid grid;      ///< cameras; images `supersampling` times the subimage's size
-  float exposure = 1; ///< the same for all cameras and both methods
+  ViewGrid grid;       ///< cameras; images `supersampling` times the subimage's size
+  float exposure = 1;  ///< the same for all cameras and both methods
   int supersampling = 2;
 };
 
@@ -52,7 +52,8 @@ DirectLightField render_directly(const NearEyeScene& scene, int threads);
 DirectLightField directly_from(const LightField& field, float exposure);
 
 /// Down to the display's subimages: halved once or twice (core/display/subimages.h), or as it is.
-DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling, int threads);
+DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling,
+                          int threads);
 
 /// |a − b| of one channel over the whole light field, codes of 8 bits in [0, 1] (tables 5.2 to 5.4).
 struct ChannelDifference {

@@ -28,16 +28,17 @@ void NearEyeDisplay::validate() const {
   require_positive(pixel_pitch_mm, "pixel pitch in mm");
   require_positive(subimage_pitch_px, "subimage pitch in px");
   if (!(image_distance_mm > eye_relief_mm))
-    throw InputError(fmt::format("the virtual image must lie beyond the lenses, {:g} mm from the eye, not at {:g} mm",
-                                 eye_relief_mm, image_distance_mm));
-  if (!(rendered_fov_deg > 0 && rendered_fov_deg < 180))
     throw InputError(
-        fmt::format("the field of view of a subimage must lie between 0 and 180 degrees, not {:g}", rendered_fov_deg));
+        fmt::format("the virtual image must lie beyond the lenses, {:g} mm from the eye, not at {:g} mm",
+                    eye_relief_mm, image_distance_mm));
+  if (!(rendered_fov_deg > 0 && rendered_fov_deg < 180))
+    throw InputError(fmt::format(
+        "the field of view of a subimage must lie between 0 and 180 degrees, not {:g}", rendered_fov_deg));
   if (columns < 1 || rows < 1)
     throw InputError(fmt::format("the display needs at least one lens, not {} × {}", columns, rows));
   if (panel_width < columns * subimage_pitch_px || panel_height < rows * subimage_pitch_px)
-    throw InputError(fmt::format("{} × {} subimages, {:g} px apart, do not fit a panel of {} × {} px", columns, rows,
-                                 subimage_pitch_px, panel_width, panel_height));
+    throw InputError(fmt::format("{} × {} subimages, {:g} px apart, do not fit a panel of {} × {} px",
+                                 columns, rows, subimage_pitch_px, panel_width, panel_height));
 }
 
 double lens_separation_mm(const NearEyeDisplay& display) {
@@ -77,10 +78,12 @@ DepthOfField depth_of_field(const NearEyeDisplay& display) {
   const double optical = display.lens_pitch_mm / (display.image_distance_mm - display.eye_relief_mm);
   const double pixel = display.pixel_pitch_mm / lens_separation_mm(display);
   // optical·(d_0 − d) = pixel·(d − d_e) on the near side; optical·(d − d_0) = pixel·(d − d_e) on the far one.
-  const double near_mm = (optical * display.image_distance_mm + pixel * display.eye_relief_mm) / (optical + pixel);
-  const double far_mm = optical > pixel ? (optical * display.image_distance_mm - pixel * display.eye_relief_mm) /
-                                              (optical - pixel)
-                                        : std::numeric_limits<double>::infinity();
+  const double near_mm =
+      (optical * display.image_distance_mm + pixel * display.eye_relief_mm) / (optical + pixel);
+  const double far_mm =
+      optical > pixel
+          ? (optical * display.image_distance_mm - pixel * display.eye_relief_mm) / (optical - pixel)
+          : std::numeric_limits<double>::infinity();
   return {near_mm, far_mm};
 }
 
@@ -90,8 +93,8 @@ double apparent_depth_mm(const NearEyeDisplay& display, double depth_mm) {
   // A point at depth Z stands 1/Z of a slope lower for each mm the lens is higher; on the panel that is a
   // length of the camera's image distance, and subimages closer than lenses add to it.
   const double image_distance_mm = separation_for_field_of_view_mm(subimage_mm, display.rendered_fov_deg);
-  const double slope_per_mm = image_distance_mm / separation / depth_mm +
-                              (1 - subimage_mm / display.lens_pitch_mm) / separation;
+  const double slope_per_mm =
+      image_distance_mm / separation / depth_mm + (1 - subimage_mm / display.lens_pitch_mm) / separation;
   // What rounding leaves of parallel rays is not a distance.
   return std::abs(slope_per_mm) < 1e-12 ? std::numeric_limits<double>::infinity() : 1 / slope_per_mm;
 }

@@ -4,15 +4,15 @@
 
 namespace plenolab {
 
-/// A near-eye light-field display: a microdisplay behind an array of small lenses, each of which shows the eye
-/// its own subimage as a magnifier does (Lanman & Luebke 2013; Hansen & Klein 2016, section 3.1). Lengths in
-/// millimetres; the defaults are those of the thesis.
+/// A near-eye light-field display: a microdisplay behind an array of small lenses, each of which shows the
+/// eye its own subimage as a magnifier does (Lanman & Luebke 2013; Hansen & Klein 2016, section 3.1). Lengths
+/// in millimetres; the defaults are those of the thesis.
 struct NearEyeDisplay {
-  double focal_length_mm = 3.3;      ///< f of a lens
-  double lens_pitch_mm = 1;          ///< w_l: width of a lens and distance of neighbouring ones
-  int columns = 15, rows = 8;        ///< lenses in use
-  double eye_relief_mm = 35;         ///< d_e: from the pupil to the lenses
-  double image_distance_mm = 1000;   ///< d_0: from the pupil to the virtual image; > eye relief, may be ∞
+  double focal_length_mm = 3.3;     ///< f of a lens
+  double lens_pitch_mm = 1;         ///< w_l: width of a lens and distance of neighbouring ones
+  int columns = 15, rows = 8;       ///< lenses in use
+  double eye_relief_mm = 35;        ///< d_e: from the pupil to the lenses
+  double image_distance_mm = 1000;  ///< d_0: from the pupil to the virtual image; > eye relief, may be ∞
   int panel_width = 1280, panel_height = 720;  ///< pixels of the microdisplay
   double pixel_pitch_mm = 0.012;               ///< p
   double subimage_pitch_px = 80 + 1.0 / 3;     ///< panel pixels from one subimage to the next
@@ -57,9 +57,9 @@ struct DepthOfField {
 DepthOfField depth_of_field(const NearEyeDisplay& display);
 
 /// Distance from the lenses at which rays of neighbouring lenses meet that show the same point of a scene,
-/// rendered `depth_mm` from the cameras (∞ allowed), through thin lenses: vergence, what the eyes take for its
-/// distance. Equal to the depth only if subimages are as far apart as lenses and rendered with the field of
-/// view that d_l gives. ∞ for parallel rays, negative where they diverge.
+/// rendered `depth_mm` from the cameras (∞ allowed), through thin lenses: vergence, what the eyes take for
+/// its distance. Equal to the depth only if subimages are as far apart as lenses and rendered with the field
+/// of view that d_l gives. ∞ for parallel rays, negative where they diverge.
 double apparent_depth_mm(const NearEyeDisplay& display, double depth_mm);
 
 /// The same display with the two numbers that contradict a thin lens replaced: subimages one lens apart,

@@ -104,12 +104,13 @@ void Eye::validate(const NearEyeDisplay& display) const {
     throw InputError(
         fmt::format("the eye must focus beyond the lenses, {:g} mm away, not at {:g} mm", relief, focus_mm));
   if (!(field_of_view_deg >= 0 && field_of_view_deg < 180))
-    throw InputError(
-        fmt::format("the field of view of the eye must lie between 0 and 180 degrees, not {:g}", field_of_view_deg));
+    throw InputError(fmt::format("the field of view of the eye must lie between 0 and 180 degrees, not {:g}",
+                                 field_of_view_deg));
 }
 
 void RetinaOptions::validate() const {
-  if (width < 1 || width > 16384) throw InputError(fmt::format("a retinal image of {} px across cannot be made", width));
+  if (width < 1 || width > 16384)
+    throw InputError(fmt::format("a retinal image of {} px across cannot be made", width));
   if (pupil_samples < 1 || pupil_samples > 4096)
     throw InputError(fmt::format("the pupil takes 1 to 4096 samples, not {}", pupil_samples));
 }
@@ -123,17 +124,21 @@ DisplayImage retinal_image(const DisplayImage& panel, const NearEyeDisplay& disp
     throw InputError(fmt::format("the panel has {} × {} px, its image {} × {}", display.panel_width,
                                  display.panel_height, panel.width(), panel.height()));
   const double relief = display.eye_relief_mm - eye.z_mm;
-  const double fov = eye.field_of_view_deg > 0 ? eye.field_of_view_deg : total_field_of_view_deg(display, display.columns);
+  const double fov =
+      eye.field_of_view_deg > 0 ? eye.field_of_view_deg : total_field_of_view_deg(display, display.columns);
   const double half_x = std::tan(fov * std::numbers::pi / 360);
-  const int height = std::max(1, static_cast<int>(std::lround(options.width * static_cast<double>(display.rows) / display.columns)));
+  const int height = std::max(
+      1, static_cast<int>(std::lround(options.width * static_cast<double>(display.rows) / display.columns)));
   const double half_y = half_x * height / options.width;
   const auto disc = disc_points(eye.pupil_mm > 0 ? options.pupil_samples : 1);
   std::vector<double> pupil_x, pupil_y;
   for (const auto& [x, y] : disc) pupil_x.push_back(x * eye.pupil_mm), pupil_y.push_back(y * eye.pupil_mm);
-  const std::vector<float> xs = trace_axis(make_axis(display, eye.x_mm, relief, display.columns, display.panel_width),
-                                           options.width, half_x, eye.focus_mm, pupil_x);
-  const std::vector<float> ys = trace_axis(make_axis(display, eye.y_mm, relief, display.rows, display.panel_height),
-                                           height, half_y, eye.focus_mm, pupil_y);
+  const std::vector<float> xs =
+      trace_axis(make_axis(display, eye.x_mm, relief, display.columns, display.panel_width), options.width,
+                 half_x, eye.focus_mm, pupil_x);
+  const std::vector<float> ys =
+      trace_axis(make_axis(display, eye.y_mm, relief, display.rows, display.panel_height), height, half_y,
+                 eye.focus_mm, pupil_y);
   const Plane<Rgb> light = as_light(panel);
   const std::size_t samples = disc.size();
   DisplayImage image(options.width, height);

@@ -18,9 +18,9 @@ namespace {
 void require_size(const DisplayImage& image, const SubimageLayout& layout) {
   layout.validate();
   if (image.width() != layout.width() || image.height() != layout.height())
-    throw InputError(fmt::format("a light-field image of {} × {} subimages of {} px has {} × {} px, not {} × {}",
-                                 layout.columns, layout.rows, layout.size_px, layout.width(), layout.height(),
-                                 image.width(), image.height()));
+    throw InputError(fmt::format(
+        "a light-field image of {} × {} subimages of {} px has {} × {} px, not {} × {}", layout.columns,
+        layout.rows, layout.size_px, layout.width(), layout.height(), image.width(), image.height()));
 }
 
 /// The four inputs of each output pixel along one axis, clamped within its subimage.
@@ -29,7 +29,8 @@ std::vector<std::array<int, 4>> box_inputs(int subimages, int size) {
   for (int s = 0; s < subimages; ++s)
     for (int i = 0; i < size / 2; ++i) {
       std::array<int, 4> four;
-      for (int k = 0; k < 4; ++k) four[static_cast<std::size_t>(k)] = s * size + std::clamp(2 * i - 1 + k, 0, size - 1);
+      for (int k = 0; k < 4; ++k)
+        four[static_cast<std::size_t>(k)] = s * size + std::clamp(2 * i - 1 + k, 0, size - 1);
       inputs.push_back(four);
     }
   return inputs;
@@ -64,8 +65,8 @@ Rgb between(Rgb a, Rgb b, float t) {
 
 void SubimageLayout::validate() const {
   if (columns < 1 || rows < 1 || size_px < 1)
-    throw InputError(
-        fmt::format("a light-field image needs subimages and pixels, not {} × {} of {} px", columns, rows, size_px));
+    throw InputError(fmt::format("a light-field image needs subimages and pixels, not {} × {} of {} px",
+                                 columns, rows, size_px));
   if (size_px > std::numeric_limits<int>::max() / std::max(columns, rows))
     throw InputError(fmt::format("{} × {} subimages of {} px are too many pixels", columns, rows, size_px));
 }
@@ -73,8 +74,8 @@ void SubimageLayout::validate() const {
 DisplayImage subimage(const DisplayImage& light_field, const SubimageLayout& layout, int column, int row) {
   require_size(light_field, layout);
   if (column < 0 || column >= layout.columns || row < 0 || row >= layout.rows)
-    throw InputError(fmt::format("there is no subimage at column {}, row {} of {} × {}", column, row, layout.columns,
-                                 layout.rows));
+    throw InputError(fmt::format("there is no subimage at column {}, row {} of {} × {}", column, row,
+                                 layout.columns, layout.rows));
   const int n = layout.size_px;
   DisplayImage result(n, n);
   for (int y = 0; y < n; ++y) {
@@ -114,8 +115,10 @@ DisplayImage panel_image(const DisplayImage& light_field, const SubimageLayout& 
   if (layout.columns != display.columns || layout.rows != display.rows)
     throw InputError(fmt::format("{} × {} subimages do not fit a display with {} × {} lenses", layout.columns,
                                  layout.rows, display.columns, display.rows));
-  const auto columns = panel_inputs(display.panel_width, layout.columns, display.subimage_pitch_px, layout.size_px);
-  const auto rows = panel_inputs(display.panel_height, layout.rows, display.subimage_pitch_px, layout.size_px);
+  const auto columns =
+      panel_inputs(display.panel_width, layout.columns, display.subimage_pitch_px, layout.size_px);
+  const auto rows =
+      panel_inputs(display.panel_height, layout.rows, display.subimage_pitch_px, layout.size_px);
   DisplayImage panel(display.panel_width, display.panel_height);
   parallel_for(panel.height(), 16, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {

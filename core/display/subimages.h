@@ -6,8 +6,8 @@
 namespace plenolab {
 
 /// A light-field image: square subimages of equal size side by side, as a display behind an array of lenses
-/// shows them. The subimage of column c and row r covers pixels [c·size, (c + 1)·size) × [r·size, (r + 1)·size)
-/// and is upright; row 0 is the top one.
+/// shows them. The subimage of column c and row r covers pixels [c·size, (c + 1)·size) × [r·size, (r +
+/// 1)·size) and is upright; row 0 is the top one.
 struct SubimageLayout {
   int columns = 15, rows = 8;
   int size_px = 162;

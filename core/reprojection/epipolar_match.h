@@ -46,7 +46,8 @@ class EpipolarLine {
         major_(along_x_ ? columns : rows),
         minor_(along_x_ ? rows : columns),
         offsets_(static_cast<std::size_t>(size_px)) {
-    const float slope = major_ == 0 ? 0 : static_cast<float>(std::abs(minor_)) / static_cast<float>(std::abs(major_));
+    const float slope =
+        major_ == 0 ? 0 : static_cast<float>(std::abs(minor_)) / static_cast<float>(std::abs(major_));
     for (std::size_t k = 0; k < offsets_.size(); ++k)
       offsets_[k] = (minor_ < 0 ? -1 : 1) * nearest_pixel(static_cast<float>(k) * slope);
   }
@@ -59,7 +60,8 @@ class EpipolarLine {
   /// Steps until no pixel of a disparity up to `max_px` can land on the target pixel.
   int steps(float max_px) const {
     const float reach = max_px * static_cast<float>(std::abs(major_)) + 2;
-    return reach < static_cast<float>(offsets_.size()) ? static_cast<int>(reach) : static_cast<int>(offsets_.size()) - 1;
+    return reach < static_cast<float>(offsets_.size()) ? static_cast<int>(reach)
+                                                       : static_cast<int>(offsets_.size()) - 1;
   }
 
  private:
@@ -97,8 +99,8 @@ struct Candidate {
   int x = 0, y = 0;
 };
 
-/// Orders candidates as one number, largest first: by disparity, then sources as given, then pixels in reading
-/// order. 0 is no candidate. Disparities are ≥ 0, whose bits grow with them.
+/// Orders candidates as one number, largest first: by disparity, then sources as given, then pixels in
+/// reading order. 0 is no candidate. Disparities are ≥ 0, whose bits grow with them.
 inline std::uint64_t candidate_key(float disparity_px, std::uint32_t source, int x, int y) {
   const std::uint32_t tie =
       (source << 28) | (static_cast<std::uint32_t>(y) << 14) | static_cast<std::uint32_t>(x);

@@ -23,8 +23,8 @@ void fill_by_mean(const Subimage& target, std::span<const Rgb* const> corners) {
         target.colour[y * target.stride + x] = mean_of_corners(target, corners, x, y);
 }
 
-/// Fills each run of holes of a row from the filled pixels at its ends; `left_is_taken(left, right, x)` chooses
-/// where there are both. Rows of nothing but holes get the mean of the corners.
+/// Fills each run of holes of a row from the filled pixels at its ends; `left_is_taken(left, right, x)`
+/// chooses where there are both. Rows of nothing but holes get the mean of the corners.
 template <class Choose>
 void fill_runs(const Subimage& target, std::span<const Rgb* const> corners, Choose left_is_taken) {
   const int n = target.size_px;
@@ -43,7 +43,8 @@ void fill_runs(const Subimage& target, std::span<const Rgb* const> corners, Choo
         if (left < 0 && right == n)
           colour[x] = mean_of_corners(target, corners, x, y);
         else
-          colour[x] = left >= 0 && (right == n || left_is_taken(disparity, left, right, x)) ? colour[left] : colour[right];
+          colour[x] = left >= 0 && (right == n || left_is_taken(disparity, left, right, x)) ? colour[left]
+                                                                                            : colour[right];
       }
     }
   }
@@ -58,7 +59,9 @@ void fill_by_nearest(const Subimage& target, std::span<const Rgb* const> corners
     for (int x = 0; x < n; ++x)
       if (!is_hole(target.disparity_px[y * target.stride + x])) steps.at(x, y) = 0;
   const auto draw_from = [&](int x, int y, int from_x, int from_y) {
-    if (from_x < 0 || from_y < 0 || from_x >= n || from_y >= n || steps.at(from_x, from_y) + 1 >= steps.at(x, y)) return;
+    if (from_x < 0 || from_y < 0 || from_x >= n || from_y >= n ||
+        steps.at(from_x, from_y) + 1 >= steps.at(x, y))
+      return;
     steps.at(x, y) = steps.at(from_x, from_y) + 1;
     target.colour[y * target.stride + x] = target.colour[from_y * target.stride + from_x];
   };

@@ -33,28 +33,31 @@ void require_fitting(const CameraArray& array, std::span<const RenderedCamera> c
   array.validate();
   const int n = array.layout.size_px;
   if (cameras.size() > reprojection::kMaxSources)
-    throw InputError(fmt::format("at most {} cameras can be rendered, not {}", reprojection::kMaxSources, cameras.size()));
+    throw InputError(
+        fmt::format("at most {} cameras can be rendered, not {}", reprojection::kMaxSources, cameras.size()));
   for (std::size_t i = 0; i < cameras.size(); ++i) {
     const RenderedCamera& c = cameras[i];
     if (c.column < 0 || c.row < 0 || c.column >= array.layout.columns || c.row >= array.layout.rows)
       throw InputError(fmt::format("the camera at column {}, row {} is outside the array", c.column, c.row));
     if (c.colour.width() != n || c.colour.height() != n || c.depth_m.width() != n || c.depth_m.height() != n)
-      throw InputError(fmt::format("the camera at column {}, row {} has not {} × {} px", c.column, c.row, n, n));
+      throw InputError(
+          fmt::format("the camera at column {}, row {} has not {} × {} px", c.column, c.row, n, n));
     for (std::size_t j = 0; j < i; ++j)
       if (cameras[j].column == c.column && cameras[j].row == c.row)
         throw InputError(fmt::format("the camera at column {}, row {} is given twice", c.column, c.row));
   }
   for (const auto& [column, row] : corner_positions(array.layout))
-    if (std::none_of(cameras.begin(), cameras.end(),
-                     [c = column, r = row](const RenderedCamera& camera) { return camera.column == c && camera.row == r; }))
+    if (std::none_of(cameras.begin(), cameras.end(), [c = column, r = row](const RenderedCamera& camera) {
+          return camera.column == c && camera.row == r;
+        }))
       throw InputError(fmt::format("the corner camera at column {}, row {} is missing", column, row));
 }
 
 /// The light field while it is put together.
 class Assembly {
  public:
-  Assembly(const CameraArray& array, std::span<const RenderedCamera> cameras, const ReprojectionOptions& options,
-           Search search)
+  Assembly(const CameraArray& array, std::span<const RenderedCamera> cameras,
+           const ReprojectionOptions& options, Search search)
       : array_(array), options_(options), search_(search), n_(array.layout.size_px) {
     result_.light_field = DisplayImage(array.layout.width(), array.layout.height());
     disparity_ = Plane<float>(array.layout.width(), array.layout.height(), kNoDepth);
@@ -87,7 +90,9 @@ class Assembly {
   };
 
   void place(const RenderedCamera& camera);
-  bool is_rendered(Position p) const { return std::find(rendered_.begin(), rendered_.end(), p) != rendered_.end(); }
+  bool is_rendered(Position p) const {
+    return std::find(rendered_.begin(), rendered_.end(), p) != rendered_.end();
+  }
   bool is_corner(Position p) const {
     const auto corners = corner_positions(array_.layout);
     return std::find(corners.begin(), corners.end(), p) != corners.end();
@@ -153,7 +158,8 @@ void Assembly::fill_rows(int first, int end, int step) {
       if (is_rendered({column, row})) continue;
       Job job{{column, row}, {}};
       for (const Position& corner : corner_positions(array_.layout))
-        if (options_.method == ReprojectionMethod::kOneStep || corner[1] == row) job.sources.push_back(source_at(corner));
+        if (options_.method == ReprojectionMethod::kOneStep || corner[1] == row)
+          job.sources.push_back(source_at(corner));
       add_central(job);
       jobs.push_back(std::move(job));
     }
@@ -186,8 +192,8 @@ void Assembly::fill_one(const Job& job, std::vector<std::uint64_t>& keys) {
   if (holes == 0) return;
   holes_ += holes;
   reprojection::fill_holes({result_.light_field.row(job.at[1] * n_) + job.at[0] * n_,
-              disparity_.row(job.at[1] * n_) + job.at[0] * n_, disparity_.width(), n_},
-             options_.holes, corners_);
+                            disparity_.row(job.at[1] * n_) + job.at[0] * n_, disparity_.width(), n_},
+                           options_.holes, corners_);
 }
 
 std::int64_t Assembly::take_colours(const Job& job, std::span<const std::uint64_t> keys) {
@@ -196,7 +202,8 @@ std::int64_t Assembly::take_colours(const Job& job, std::span<const std::uint64_
   for (int y = 0; y < n_; ++y) {
     Rgb* colour = result_.light_field.row(job.at[1] * n_ + y) + job.at[0] * n_;
     float* disparity = disparity_.row(job.at[1] * n_ + y) + job.at[0] * n_;
-    float* offset = options_.record_maps ? result_.offset_px.row(job.at[1] * n_ + y) + job.at[0] * n_ : nullptr;
+    float* offset =
+        options_.record_maps ? result_.offset_px.row(job.at[1] * n_ + y) + job.at[0] * n_ : nullptr;
     for (int x = 0; x < n_; ++x, ++i) {
       if (keys[i] == 0) {
         ++holes;
@@ -205,7 +212,8 @@ std::int64_t Assembly::take_colours(const Job& job, std::span<const std::uint64_
       const reprojection::Candidate from = reprojection::candidate_of(keys[i]);
       const Source& source = job.sources[from.source];
       const float taken = std::bit_cast<float>(static_cast<std::uint32_t>(keys[i] >> 32));
-      const float dx = reprojection::landing(from.x, taken, job.at[0] - source.column) - static_cast<float>(x),
+      const float dx =
+                      reprojection::landing(from.x, taken, job.at[0] - source.column) - static_cast<float>(x),
                   dy = reprojection::landing(from.y, taken, job.at[1] - source.row) - static_cast<float>(y);
       colour[x] = reprojection::corrected_colour(source, n_, from.x, from.y, dx, dy);
       disparity[x] = taken;
@@ -235,7 +243,8 @@ double CameraArray::disparity_px(double depth_m) const {
 void CameraArray::validate() const {
   layout.validate();
   if (layout.size_px > reprojection::kMaxSize)
-    throw InputError(fmt::format("subimages are at most {} px wide, not {}", reprojection::kMaxSize, layout.size_px));
+    throw InputError(
+        fmt::format("subimages are at most {} px wide, not {}", reprojection::kMaxSize, layout.size_px));
   if (!(spacing_m > 0) || !std::isfinite(spacing_m))
     throw InputError(fmt::format("the cameras must be a positive distance apart, not {:g} m", spacing_m));
   if (!(fov_deg > 0 && fov_deg < 180))

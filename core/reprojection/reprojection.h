@@ -10,8 +10,8 @@
 
 namespace plenolab {
 
-/// Pixel reprojection for a light-field display (Hansen & Klein 2016, section 3.2; Hansen, Klein & Kraus): the
-/// views of an array of parallel cameras from those of its four corners.
+/// Pixel reprojection for a light-field display (Hansen & Klein 2016, section 3.2; Hansen, Klein & Kraus):
+/// the views of an array of parallel cameras from those of its four corners.
 
 /// The cameras behind a light-field image: one per subimage, parallel, square frusta.
 struct CameraArray {
@@ -55,10 +55,10 @@ struct ReprojectionOptions {
 };
 
 struct ReprojectionResult {
-  DisplayImage light_field;  ///< all subimages, the rendered ones as they were
-  std::int64_t pixels = 0;         ///< of reprojected subimages
-  std::int64_t holes = 0;          ///< of them, seen by no rendered camera
-  std::int64_t ignored_pixels = 0; ///< of rendered cameras, with no usable depth or colour
+  DisplayImage light_field;         ///< all subimages, the rendered ones as they were
+  std::int64_t pixels = 0;          ///< of reprojected subimages
+  std::int64_t holes = 0;           ///< of them, seen by no rendered camera
+  std::int64_t ignored_pixels = 0;  ///< of rendered cameras, with no usable depth or colour
   double seconds = 0;
   /// With record_maps, of the size of light_field: disparity (px per camera) of the pixel taken, −1 in holes;
   /// and the larger of |x| and |y| of the distance (px) between where that pixel lands and the centre of the
@@ -73,20 +73,20 @@ std::array<int, 2> central_position(const SubimageLayout& layout);
 
 /// The light field of an array from rendered cameras: all its corners, and any others (a fifth, central one).
 ///
-/// A pixel of a rendered camera belongs to the one target pixel whose centre is at most half a pixel from where
-/// it reprojects to, on both axes. Of all pixels along the epipolar lines of all source cameras that belong to
-/// a target pixel, the nearest is taken (largest disparity; then the camera given first; then the first in
-/// reading order). Its colour is interpolated (linearly, within its camera's image) at the point that
-/// reprojects to the pixel's centre; depth is not interpolated.
+/// A pixel of a rendered camera belongs to the one target pixel whose centre is at most half a pixel from
+/// where it reprojects to, on both axes. Of all pixels along the epipolar lines of all source cameras that
+/// belong to a target pixel, the nearest is taken (largest disparity; then the camera given first; then the
+/// first in reading order). Its colour is interpolated (linearly, within its camera's image) at the point
+/// that reprojects to the pixel's centre; depth is not interpolated.
 ///
-/// Epipolar lines are walked pixel by pixel along the axis on which the cameras are farther apart, and rounded
-/// to the nearest pixel on the other, up to the largest disparity of the rendered cameras. In two steps, both
-/// cameras of a row are sources of its subimages, then the top and bottom subimage of a column of those between
-/// them; holes of the first step are filled, but match nothing in the second. Cameras that are not corners are
-/// sources of every subimage in either method.
+/// Epipolar lines are walked pixel by pixel along the axis on which the cameras are farther apart, and
+/// rounded to the nearest pixel on the other, up to the largest disparity of the rendered cameras. In two
+/// steps, both cameras of a row are sources of its subimages, then the top and bottom subimage of a column of
+/// those between them; holes of the first step are filled, but match nothing in the second. Cameras that are
+/// not corners are sources of every subimage in either method.
 ///
-/// Pixels with non-finite colour are set to black and match nothing. Throws InputError if a corner is missing,
-/// a position is outside the array or given twice, or an image has another size than the layout.
+/// Pixels with non-finite colour are set to black and match nothing. Throws InputError if a corner is
+/// missing, a position is outside the array or given twice, or an image has another size than the layout.
 ReprojectionResult reproject(const CameraArray& array, std::span<const RenderedCamera> cameras,
                              const ReprojectionOptions& options = {});
 

@@ -38,7 +38,8 @@ void splat_along_columns(const Source& source, std::uint32_t index, int rows, in
   }
 }
 
-void splat_aslant(const Source& source, std::uint32_t index, int columns, int rows, int n, std::uint64_t* keys) {
+void splat_aslant(const Source& source, std::uint32_t index, int columns, int rows, int n,
+                  std::uint64_t* keys) {
   const EpipolarLine line(columns, rows, n);
   const int* minor_offsets = line.minor_offsets();
   const bool along_x = line.along_x();
@@ -51,7 +52,8 @@ void splat_aslant(const Source& source, std::uint32_t index, int columns, int ro
       if (!inside(to_x, n) || !inside(to_y, n)) continue;
       const int major = along_x ? std::abs(x - to_x) : std::abs(y - to_y);
       if ((along_x ? y - to_y : x - to_x) != minor_offsets[major]) continue;
-      keep_larger(keys[static_cast<std::ptrdiff_t>(to_y) * n + to_x], candidate_key(disparity[x], index, x, y));
+      keep_larger(keys[static_cast<std::ptrdiff_t>(to_y) * n + to_x],
+                  candidate_key(disparity[x], index, x, y));
     }
   }
 }

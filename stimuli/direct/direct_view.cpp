@@ -54,8 +54,9 @@ Rgb shade(const DirectScene::State& state, const tracer::Hit& hit) {
     const Vec3& to_sun = state.scene.sun->direction;
     const float cosine = normal.dot(to_sun);
     if (cosine > 0 && hit.geometric_normal.dot(to_sun) > 0 &&
-        !state.rays.occluded({tracer::offset_origin(hit.point.position_m, hit.geometric_normal, to_sun), to_sun},
-                             std::numeric_limits<float>::infinity()))
+        !state.rays.occluded(
+            {tracer::offset_origin(hit.point.position_m, hit.geometric_normal, to_sun), to_sun},
+            std::numeric_limits<float>::infinity()))
       irradiance += state.scene.sun->illuminance_lx * cosine;
   }
   const Rgb albedo = material.albedo ? material.albedo(hit.point) : Rgb{0.5f, 0.5f, 0.5f};
@@ -63,8 +64,8 @@ Rgb shade(const DirectScene::State& state, const tracer::Hit& hit) {
 }
 
 /// One row of a view.
-void render_row(const DirectScene::State& state, const Camera& camera, const ViewGrid& grid, int y, Rgb* radiance,
-                float* depth_m) {
+void render_row(const DirectScene::State& state, const Camera& camera, const ViewGrid& grid, int y,
+                Rgb* radiance, float* depth_m) {
   for (int x = 0; x < grid.width; ++x) {
     const tracer::Ray ray = camera_ray(camera, grid, x, y);
     tracer::Hit hit;
@@ -89,7 +90,8 @@ const Scene& DirectScene::scene() const {
   return state_->scene;
 }
 
-DirectView render_direct(const DirectScene& scene, const ViewGrid& grid, CameraPosition position, int threads) {
+DirectView render_direct(const DirectScene& scene, const ViewGrid& grid, CameraPosition position,
+                         int threads) {
   grid.validate();
   const Camera camera = camera_at(scene.scene().camera, grid, position);
   DirectView view{SceneImage(grid.width, grid.height), Plane<float>(grid.width, grid.height)};
@@ -110,7 +112,8 @@ DirectView render_direct_views(const DirectScene& scene, const ViewGrid& grid, i
       const Camera camera =
           camera_at(scene.scene().camera, grid, {static_cast<double>(column), static_cast<double>(row)});
       for (int y = 0; y < grid.height; ++y)
-        render_row(scene.state(), camera, grid, y, views.radiance.row(row * grid.height + y) + column * grid.width,
+        render_row(scene.state(), camera, grid, y,
+                   views.radiance.row(row * grid.height + y) + column * grid.width,
                    views.depth_m.row(row * grid.height + y) + column * grid.width);
     }
   });

@@ -1,5 +1,6 @@
-// Near-eye 1, many objects: blocks and balls of all sizes float between 0.3 m and 4 m before a papered wall, so
-// that depth edges run through every subimage, none of them with much disparity between neighbouring cameras.
+// Near-eye 1, many objects: blocks and balls of all sizes float between 0.3 m and 4 m before a papered wall,
+// so that depth edges run through every subimage, none of them with much disparity between neighbouring
+// cameras.
 
 #include <array>
 
@@ -44,9 +45,10 @@ Scene build_near_eye_1() {
                                         pose({0, 0, 0}, 90 * random.next_float())),
                                  at));
   }
-  return finish_near_eye(scene, "near-eye-1", "Many objects",
-                         "Blocks and balls of all sizes between 0.3 m and 4 m: depth edges everywhere, each with "
-                         "little disparity between neighbouring cameras.");
+  return finish_near_eye(
+      scene, "near-eye-1", "Many objects",
+      "Blocks and balls of all sizes between 0.3 m and 4 m: depth edges everywhere, each with "
+      "little disparity between neighbouring cameras.");
 }
 
 }  // namespace plenolab

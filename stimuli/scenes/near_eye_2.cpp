@@ -1,5 +1,5 @@
-// Near-eye 2, few objects: a large ball, a jar-like block and a slab stand well apart between 0.6 m and 2.5 m,
-// and most of every subimage is floor and wall, which all cameras see.
+// Near-eye 2, few objects: a large ball, a jar-like block and a slab stand well apart between 0.6 m and 2.5
+// m, and most of every subimage is floor and wall, which all cameras see.
 
 #include "stimuli/scenes/modelling/near_eye.h"
 #include "stimuli/scenes/modelling/parts.h"
@@ -17,9 +17,10 @@ Scene build_near_eye_2() {
   scene.add(red, placed(ellipsoid({0.11f, 0.11f, 0.11f}, 80), Vec3(0.05f, 1, -0.02f)));
   scene.add(blue, placed(bevelled_box({0.22f, 0.22f, 0.5f}, 0.02f), pose({-0.2f, 1.8f, kFloor + 0.25f}, 28)));
   scene.add(sand, placed(bevelled_box({0.09f, 0.06f, 0.05f}, 0.006f), pose({-0.025f, 0.62f, -0.085f}, -20)));
-  return finish_near_eye(scene, "near-eye-2", "Few objects",
-                         "Three objects well apart between 0.6 m and 2.5 m: most of every subimage is floor and "
-                         "wall that all cameras see.");
+  return finish_near_eye(
+      scene, "near-eye-2", "Few objects",
+      "Three objects well apart between 0.6 m and 2.5 m: most of every subimage is floor and "
+      "wall that all cameras see.");
 }
 
 }  // namespace plenolab

@@ -1,5 +1,6 @@
-// Near-eye 3, objects behind each other: five rows of posts and balls from 0.25 m to 3 m, staggered so that each
-// row shows through the gaps of the one before: surfaces that one corner camera sees are hidden from another.
+// Near-eye 3, objects behind each other: five rows of posts and balls from 0.25 m to 3 m, staggered so that
+// each row shows through the gaps of the one before: surfaces that one corner camera sees are hidden from
+// another.
 
 #include <array>
 
@@ -13,8 +14,11 @@ namespace plenolab {
 namespace {
 
 constexpr std::array kRows_m{0.25f, 0.45f, 0.8f, 1.5f, 3.0f};
-constexpr std::array<Rgb, 5> kColours{
-    {{0.55f, 0.36f, 0.20f}, {0.20f, 0.42f, 0.40f}, {0.62f, 0.20f, 0.18f}, {0.66f, 0.60f, 0.36f}, {0.24f, 0.30f, 0.55f}}};
+constexpr std::array<Rgb, 5> kColours{{{0.55f, 0.36f, 0.20f},
+                                       {0.20f, 0.42f, 0.40f},
+                                       {0.62f, 0.20f, 0.18f},
+                                       {0.66f, 0.60f, 0.36f},
+                                       {0.24f, 0.30f, 0.55f}}};
 
 }  // namespace
 
@@ -33,12 +37,14 @@ Scene build_near_eye_3() {
       const float radius = half * (0.05f + 0.04f * random.next_float());
       const float top = half * (0.1f + 0.8f * random.next_float());
       scene.add(material, rod({x, y, -1.2f * half}, {x, y, top}, radius, 0.8f * radius, 40));
-      scene.add(material, placed(ellipsoid({1.7f * radius, 1.7f * radius, 1.7f * radius}, 32), Vec3(x, y, top)));
+      scene.add(material,
+                placed(ellipsoid({1.7f * radius, 1.7f * radius, 1.7f * radius}, 32), Vec3(x, y, top)));
     }
   }
-  return finish_near_eye(scene, "near-eye-3", "Objects behind each other",
-                         "Five staggered rows of posts from 0.25 m to 3 m: what one corner camera sees through a gap "
-                         "is hidden from another.");
+  return finish_near_eye(
+      scene, "near-eye-3", "Objects behind each other",
+      "Five staggered rows of posts from 0.25 m to 3 m: what one corner camera sees through a gap "
+      "is hidden from another.");
 }
 
 }  // namespace plenolab

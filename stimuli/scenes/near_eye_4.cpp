@@ -1,5 +1,5 @@
-// Near-eye 4, curved surfaces: a chequered globe and a rippled, printed cloth behind it. Depth changes smoothly
-// within each subimage and texture tells every misplaced pixel; depth edges are few.
+// Near-eye 4, curved surfaces: a chequered globe and a rippled, printed cloth behind it. Depth changes
+// smoothly within each subimage and texture tells every misplaced pixel; depth edges are few.
 
 #include <cmath>
 #include <numbers>
@@ -40,12 +40,14 @@ Scene build_near_eye_4() {
   scene.add(cloth, surface(220, 160,
                            [](float u, float v) {
                              const float x = 1.1f * (u - 0.5f), z = 0.8f * (v - 0.5f);
-                             return Vec3(x, 1.7f + 0.09f * std::sin(14 * x) + 0.04f * std::sin(17 * z + 3 * x), z);
+                             return Vec3(
+                                 x, 1.7f + 0.09f * std::sin(14 * x) + 0.04f * std::sin(17 * z + 3 * x), z);
                            },
                            {1.1f, 0.8f}));
-  return finish_near_eye(scene, "near-eye-4", "Curved surfaces",
-                         "A chequered globe before a rippled, printed cloth: depth changes smoothly under fine "
-                         "texture, and depth edges are few.");
+  return finish_near_eye(
+      scene, "near-eye-4", "Curved surfaces",
+      "A chequered globe before a rippled, printed cloth: depth changes smoothly under fine "
+      "texture, and depth edges are few.");
 }
 
 }  // namespace plenolab

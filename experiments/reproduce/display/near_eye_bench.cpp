@@ -46,12 +46,13 @@ const DisplayImage& NearEyeBench::truth(const std::string& id, int supersampling
   const Key key{id, supersampling};
   if (const auto found = truth_.find(key); found != truth_.end()) return found->second;
   return truth_
-      .emplace(key, to_subimages(direct(id, supersampling).light_field, array(id, supersampling).layout, supersampling,
-                                 threads()))
+      .emplace(key, to_subimages(direct(id, supersampling).light_field, array(id, supersampling).layout,
+                                 supersampling, threads()))
       .first->second;
 }
 
-const std::vector<RenderedCamera>& NearEyeBench::cameras(const std::string& id, int cameras, int supersampling) {
+const std::vector<RenderedCamera>& NearEyeBench::cameras(const std::string& id, int cameras,
+                                                         int supersampling) {
   const std::tuple key{id, cameras, supersampling};
   if (const auto found = cameras_.find(key); found != cameras_.end()) return found->second;
   return cameras_.emplace(key, render_cameras(scene(id, supersampling), cameras, threads())).first->second;
@@ -63,13 +64,14 @@ const ReprojectionResult& NearEyeBench::reprojected(const std::string& id, const
   if (const auto found = reprojected_.find(key); found != reprojected_.end()) return found->second;
   const ReprojectionOptions options{recipe.method, recipe.holes, true, threads()};
   return reprojected_
-      .emplace(key, reproject(array(id, recipe.supersampling), cameras(id, recipe.cameras, recipe.supersampling), options))
+      .emplace(key, reproject(array(id, recipe.supersampling),
+                              cameras(id, recipe.cameras, recipe.supersampling), options))
       .first->second;
 }
 
 DisplayImage NearEyeBench::image(const std::string& id, const Recipe& recipe) {
-  return to_subimages(reprojected(id, recipe).light_field, array(id, recipe.supersampling).layout, recipe.supersampling,
-                      threads());
+  return to_subimages(reprojected(id, recipe).light_field, array(id, recipe.supersampling).layout,
+                      recipe.supersampling, threads());
 }
 
 }  // namespace plenolab

@@ -11,9 +11,9 @@
 
 namespace plenolab {
 
-/// What the items on the near-eye display share during one run: the five scenes, their light fields with every
-/// camera rendered (VC) and reprojected (IC), each computed when first asked for and kept. References stay
-/// valid. A tiny run has subimages of 27 px (54 rendered) and 5 × 3 cameras 2.8 mm apart.
+/// What the items on the near-eye display share during one run: the five scenes, their light fields with
+/// every camera rendered (VC) and reprojected (IC), each computed when first asked for and kept. References
+/// stay valid. A tiny run has subimages of 27 px (54 rendered) and 5 × 3 cameras 2.8 mm apart.
 class NearEyeBench {
  public:
   explicit NearEyeBench(Laboratory& laboratory) : laboratory_(laboratory) {}

@@ -16,7 +16,8 @@ float half_extent_m(float distance_m);
 void add_surroundings(SceneAssembler& scene, float floor_z_m, Rgb wall, Rgb floor, std::uint32_t seed);
 
 /// A mottled diffuse material whose blotches are about `features_px` wide at a distance.
-int add_mottled(SceneAssembler& scene, Rgb base, Rgb stain, float distance_m, float features_px, std::uint32_t seed);
+int add_mottled(SceneAssembler& scene, Rgb base, Rgb stain, float distance_m, float features_px,
+                std::uint32_t seed);
 
 /// Camera, presets and light; moves what was assembled into the scene.
 Scene finish_near_eye(SceneAssembler& scene, const char* id, const char* title, const char* description);
