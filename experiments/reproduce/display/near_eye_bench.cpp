@@ -1,5 +1,6 @@
 #include "experiments/reproduce/display/near_eye_bench.h"
 
+#include "analysis/timing.h"
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
@@ -59,8 +60,7 @@ const std::vector<RenderedCamera>& NearEyeBench::cameras(const std::string& id, 
 }
 
 const ReprojectionResult& NearEyeBench::reprojected(const std::string& id, const Recipe& recipe) {
-  const RecipeKey key{id, static_cast<int>(recipe.method), static_cast<int>(recipe.holes), recipe.cameras,
-                      recipe.supersampling};
+  const RecipeKey key = key_of(id, recipe);
   if (const auto found = reprojected_.find(key); found != reprojected_.end()) return found->second;
   const ReprojectionOptions options{recipe.method, recipe.holes, true, threads()};
   return reprojected_
@@ -72,6 +72,29 @@ const ReprojectionResult& NearEyeBench::reprojected(const std::string& id, const
 DisplayImage NearEyeBench::image(const std::string& id, const Recipe& recipe) {
   return to_subimages(reprojected(id, recipe).light_field, array(id, recipe.supersampling).layout,
                       recipe.supersampling, threads());
+}
+
+const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Recipe& recipe) {
+  const RecipeKey key = key_of(id, recipe);
+  if (const auto found = timings_.find(key); found != timings_.end()) return found->second;
+  const NearEyeScene& prepared = scene(id, recipe.supersampling);
+  const CameraArray cameras_array = array(id, recipe.supersampling);
+  const ReprojectionOptions options{recipe.method, recipe.holes, false, threads()};
+  const TimingOptions runs{.runs = 3, .warm_up_runs = 1};
+  std::vector<RenderedCamera> rendered;
+  ReprojectionResult result;
+  Timing timing;
+  timing.direct_s = direct(id, recipe.supersampling).seconds;
+  timing.cameras_s =
+      time_repeated([&] { rendered = render_cameras(prepared, recipe.cameras, threads()); }, runs).median_s;
+  timing.reprojection_s =
+      time_repeated([&] { result = reproject(cameras_array, rendered, options); }, runs).median_s;
+  timing.down_sampling_s =
+      time_repeated(
+          [&] { to_subimages(result.light_field, cameras_array.layout, recipe.supersampling, threads()); },
+          runs)
+          .median_s;
+  return timings_.emplace(key, timing).first->second;
 }
 
 }  // namespace plenolab

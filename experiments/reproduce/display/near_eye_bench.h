@@ -25,6 +25,14 @@ class NearEyeBench {
     int cameras = 4, supersampling = 2;
   };
 
+  /// Seconds that a light field took, down-sampling included: every camera rendered, or few and the rest
+  /// reprojected. Medians of a few runs (the former: one run), measured one after the other.
+  struct Timing {
+    double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0, direct_s = 0;
+    double reprojected_total_s() const { return cameras_s + reprojection_s + down_sampling_s; }
+    double direct_total_s() const { return direct_s + down_sampling_s; }
+  };
+
   const std::vector<std::string>& scene_ids() const;
   const NearEyeScene& scene(const std::string& id, int supersampling = 2);
   CameraArray array(const std::string& id, int supersampling = 2);
@@ -37,6 +45,7 @@ class NearEyeBench {
   const ReprojectionResult& reprojected(const std::string& id, const Recipe& recipe);
   /// The same at the size of the display's subimages.
   DisplayImage image(const std::string& id, const Recipe& recipe);
+  const Timing& timing(const std::string& id, const Recipe& recipe);
   /// Layout at the size of the display's subimages.
   SubimageLayout subimages(const std::string& id);
 
@@ -45,6 +54,10 @@ class NearEyeBench {
  private:
   using Key = std::tuple<std::string, int>;
   using RecipeKey = std::tuple<std::string, int, int, int, int>;
+  static RecipeKey key_of(const std::string& id, const Recipe& recipe) {
+    return {id, static_cast<int>(recipe.method), static_cast<int>(recipe.holes), recipe.cameras,
+            recipe.supersampling};
+  }
 
   Laboratory& laboratory_;
   std::map<std::string, DirectScene> built_;
@@ -53,6 +66,7 @@ class NearEyeBench {
   std::map<Key, DisplayImage> truth_;
   std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
   std::map<RecipeKey, ReprojectionResult> reprojected_;
+  std::map<RecipeKey, Timing> timings_;
 };
 
 }  // namespace plenolab

@@ -6,6 +6,7 @@
 #include "analysis/statistics.h"
 #include "experiments/reproduce/display/near_eye_bench.h"
 #include "experiments/reproduce/reproduction.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 
