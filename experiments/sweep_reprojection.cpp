@@ -16,7 +16,9 @@ double mean_error(const DisplayImage& a, const DisplayImage& b) {
 }
 
 SweepOutcome outcome_of(const std::string& method, long long cameras, int supersampling) {
-  return {.setting = {{"method", method}, {"cameras", cameras}, {"supersampling", static_cast<long long>(supersampling)}}};
+  return {.setting = {{"method", method},
+                      {"cameras", cameras},
+                      {"supersampling", static_cast<long long>(supersampling)}}};
 }
 
 SweepOutcome run_reprojection(const NearEyeScene& scene, ReprojectionMethod method, int cameras,
@@ -41,12 +43,14 @@ SweepOutcome run_reprojection(const NearEyeScene& scene, ReprojectionMethod meth
 
 SweepOutcome run_direct(const NearEyeScene& scene, const DisplayImage& truth, const SweepRun& run) {
   const SubimageLayout layout = camera_array(scene.grid).layout;
-  SweepOutcome outcome = outcome_of("direct", static_cast<long long>(layout.columns) * layout.rows, scene.supersampling);
+  SweepOutcome outcome =
+      outcome_of("direct", static_cast<long long>(layout.columns) * layout.rows, scene.supersampling);
   DisplayImage image;
   time_setting(
       outcome,
       [&] {
-        image = to_subimages(render_directly(scene, run.threads).light_field, layout, scene.supersampling, run.threads);
+        image = to_subimages(render_directly(scene, run.threads).light_field, layout, scene.supersampling,
+                             run.threads);
       },
       run.runs);
   outcome.error = mean_error(image, truth);
@@ -81,7 +85,11 @@ ResultTable sweep_reprojection(const Scene& scene, const SweepRun& run) {
 }
 
 SweepPlotDesign reprojection_sweep_plot() {
-  return {"mean_error", "Mean difference from every camera at supersampling 4", "1", {"method", "cameras"}, "supersampling"};
+  return {"mean_error",
+          "Mean difference from every camera at supersampling 4",
+          "1",
+          {"method", "cameras"},
+          "supersampling"};
 }
 
 }  // namespace plenolab

@@ -97,6 +97,7 @@ inline constexpr std::size_t kMaxSources = 15;
 struct Candidate {
   std::uint32_t source = 0;  ///< index
   int x = 0, y = 0;
+  float disparity_px = 0;
 };
 
 /// Orders candidates as one number, largest first: by disparity, then sources as given, then pixels in
@@ -109,7 +110,8 @@ inline std::uint64_t candidate_key(float disparity_px, std::uint32_t source, int
 
 inline Candidate candidate_of(std::uint64_t key) {
   const std::uint32_t tie = ~static_cast<std::uint32_t>(key);
-  return {tie >> 28, static_cast<int>(tie & (kMaxSize - 1)), static_cast<int>((tie >> 14) & (kMaxSize - 1))};
+  return {tie >> 28, static_cast<int>(tie & (kMaxSize - 1)), static_cast<int>((tie >> 14) & (kMaxSize - 1)),
+          std::bit_cast<float>(static_cast<std::uint32_t>(key >> 32))};
 }
 
 }  // namespace plenolab::reprojection

@@ -19,7 +19,7 @@ Rgb mean_of_corners(const Subimage& target, std::span<const Rgb* const> corners,
 void fill_by_mean(const Subimage& target, std::span<const Rgb* const> corners) {
   for (int y = 0; y < target.size_px; ++y)
     for (int x = 0; x < target.size_px; ++x)
-      if (is_hole(target.disparity_px[y * target.stride + x]))
+      if (is_hole(target.disparity_px[static_cast<std::ptrdiff_t>(y) * target.size_px + x]))
         target.colour[y * target.stride + x] = mean_of_corners(target, corners, x, y);
 }
 
@@ -30,7 +30,7 @@ void fill_runs(const Subimage& target, std::span<const Rgb* const> corners, Choo
   const int n = target.size_px;
   for (int y = 0; y < n; ++y) {
     Rgb* colour = target.colour + y * target.stride;
-    const float* disparity = target.disparity_px + y * target.stride;
+    const float* disparity = target.disparity_px + static_cast<std::ptrdiff_t>(y) * target.size_px;
     for (int x = 0; x < n;) {
       if (!is_hole(disparity[x])) {
         ++x;
@@ -57,7 +57,8 @@ void fill_by_nearest(const Subimage& target, std::span<const Rgb* const> corners
   Plane<int> steps(n, n, kFar);
   for (int y = 0; y < n; ++y)
     for (int x = 0; x < n; ++x)
-      if (!is_hole(target.disparity_px[y * target.stride + x])) steps.at(x, y) = 0;
+      if (!is_hole(target.disparity_px[static_cast<std::ptrdiff_t>(y) * target.size_px + x]))
+        steps.at(x, y) = 0;
   const auto draw_from = [&](int x, int y, int from_x, int from_y) {
     if (from_x < 0 || from_y < 0 || from_x >= n || from_y >= n ||
         steps.at(from_x, from_y) + 1 >= steps.at(x, y))
@@ -75,7 +76,8 @@ void fill_by_nearest(const Subimage& target, std::span<const Rgb* const> corners
 void fill_with_black(const Subimage& target) {
   for (int y = 0; y < target.size_px; ++y)
     for (int x = 0; x < target.size_px; ++x)
-      if (is_hole(target.disparity_px[y * target.stride + x])) target.colour[y * target.stride + x] = {};
+      if (is_hole(target.disparity_px[static_cast<std::ptrdiff_t>(y) * target.size_px + x]))
+        target.colour[y * target.stride + x] = {};
 }
 
 }  // namespace

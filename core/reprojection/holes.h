@@ -7,15 +7,15 @@
 
 namespace plenolab::reprojection {
 
-/// A subimage while it is filled; rows of both arrays are `stride` apart.
+/// A subimage while it is filled.
 struct Subimage {
   Rgb* colour = nullptr;
-  float* disparity_px = nullptr;  ///< kNoDepth in holes
-  std::ptrdiff_t stride = 0;
+  std::ptrdiff_t stride = 0;            ///< between rows of colours
+  const float* disparity_px = nullptr;  ///< row by row without gaps; kNoDepth in holes
   int size_px = 0;
 };
 
-/// Gives the holes of a subimage a colour; their disparity stays kNoDepth. `corners` are the corner cameras'
+/// Gives the holes of a subimage a colour. `corners` are the corner cameras'
 /// colours (rows `stride` apart).
 void fill_holes(const Subimage& target, HoleFill fill, std::span<const Rgb* const> corners);
 

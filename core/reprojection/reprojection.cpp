@@ -57,14 +57,19 @@ void require_fitting(const CameraArray& array, std::span<const RenderedCamera> c
 class Assembly {
  public:
   Assembly(const CameraArray& array, std::span<const RenderedCamera> cameras,
-           const ReprojectionOptions& options, Search search)
+           const ReprojectionOptions& options, Search search, DisplayImage buffer)
       : array_(array), options_(options), search_(search), n_(array.layout.size_px) {
-    result_.light_field = DisplayImage(array.layout.width(), array.layout.height());
-    disparity_ = Plane<float>(array.layout.width(), array.layout.height(), kNoDepth);
-    if (options.record_maps) result_.offset_px = Plane<float>(array.layout.width(), array.layout.height());
+    const int width = array.layout.width(), height = array.layout.height();
+    if (buffer.width() != width || buffer.height() != height) buffer = DisplayImage(width, height);
+    result_.light_field = std::move(buffer);
+    disparity_.resize(static_cast<std::size_t>(array.layout.columns) *
+                      static_cast<std::size_t>(array.layout.rows));
+    if (options.record_maps) {
+      result_.disparity_px = Plane<float>(width, height, kNoDepth);
+      result_.offset_px = Plane<float>(width, height);
+    }
     for (const RenderedCamera& camera : cameras) place(camera);
-    for (const Position& p : corner_positions(array.layout))
-      corners_.push_back(result_.light_field.row(p[1] * n_) + p[0] * n_);
+    for (const Position& p : corner_positions(array.layout)) corners_.push_back(colours_at(p));
   }
 
   void run() {
@@ -79,7 +84,6 @@ class Assembly {
 
   ReprojectionResult take() {
     result_.holes = holes_;
-    if (options_.record_maps) result_.disparity_px = std::move(disparity_);
     return std::move(result_);
   }
 
@@ -88,6 +92,19 @@ class Assembly {
     Position at;
     std::vector<Source> sources;
   };
+
+  std::size_t index_of(Position p) const {
+    return static_cast<std::size_t>(p[1]) * static_cast<std::size_t>(array_.layout.columns) +
+           static_cast<std::size_t>(p[0]);
+  }
+  const Rgb* colours_at(Position p) const { return result_.light_field.row(p[1] * n_) + p[0] * n_; }
+  Rgb* colours_at(Position p) { return result_.light_field.row(p[1] * n_) + p[0] * n_; }
+  /// Makes room for disparities that later subimages are reprojected with.
+  float* keep_disparity(Position p) {
+    std::vector<float>& kept = disparity_[index_of(p)];
+    kept.assign(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_), kNoDepth);
+    return kept.data();
+  }
 
   void place(const RenderedCamera& camera);
   bool is_rendered(Position p) const {
@@ -98,12 +115,7 @@ class Assembly {
     return std::find(corners.begin(), corners.end(), p) != corners.end();
   }
   Source source_at(Position p) const {
-    return {result_.light_field.row(p[1] * n_) + p[0] * n_,
-            disparity_.row(p[1] * n_) + p[0] * n_,
-            result_.light_field.width(),
-            disparity_.width(),
-            p[0],
-            p[1]};
+    return {colours_at(p), disparity_[index_of(p)].data(), result_.light_field.width(), n_, p[0], p[1]};
   }
   void add_central(Job& job) const {
     for (const Position& p : rendered_)
@@ -115,8 +127,9 @@ class Assembly {
   /// Columns between two rows that are complete.
   void fill_between(int top, int bottom);
   void fill(const std::vector<Job>& jobs);
-  void fill_one(const Job& job, std::vector<std::uint64_t>& keys);
-  std::int64_t take_colours(const Job& job, std::span<const std::uint64_t> keys);
+  void fill_one(const Job& job, std::span<std::uint64_t> keys, float* disparity);
+  std::int64_t take_colours(const Job& job, std::span<const std::uint64_t> keys, float* disparity);
+  void record(const Job& job, std::span<const std::uint64_t> keys);
 
   const CameraArray& array_;
   const ReprojectionOptions& options_;
@@ -124,7 +137,7 @@ class Assembly {
   int n_;
   float max_disparity_px_ = 0;
   ReprojectionResult result_;
-  Plane<float> disparity_;
+  std::vector<std::vector<float>> disparity_;  // by subimage, row by row; empty for those that are no source
   std::vector<Position> rendered_;
   std::vector<const Rgb*> corners_;
   std::atomic<std::int64_t> holes_ = 0;
@@ -134,9 +147,11 @@ void Assembly::place(const RenderedCamera& camera) {
   rendered_.push_back({camera.column, camera.row});
   // Nearer pixels land outside all other subimages, wherever exactly.
   const float most = static_cast<float>(n_) + 1;
-  for (int y = 0; y < n_; ++y) {
-    Rgb* colour = result_.light_field.row(camera.row * n_ + y) + camera.column * n_;
-    float* disparity = disparity_.row(camera.row * n_ + y) + camera.column * n_;
+  const double at_one_metre_px = array_.disparity_px(1);
+  float* disparity = keep_disparity({camera.column, camera.row});
+  for (int y = 0; y < n_; ++y, disparity += n_) {
+    Rgb* colour = colours_at({camera.column, camera.row}) +
+                  static_cast<std::ptrdiff_t>(y) * result_.light_field.width();
     for (int x = 0; x < n_; ++x) {
       const bool coloured = is_finite(camera.colour.at(x, y));
       colour[x] = coloured ? camera.colour.at(x, y) : Rgb{};
@@ -145,9 +160,12 @@ void Assembly::place(const RenderedCamera& camera) {
         ++result_.ignored_pixels;
         continue;
       }
-      disparity[x] = std::min(static_cast<float>(array_.disparity_px(static_cast<double>(depth))), most);
+      disparity[x] = std::min(static_cast<float>(at_one_metre_px / static_cast<double>(depth)), most);
       max_disparity_px_ = std::max(max_disparity_px_, disparity[x]);
     }
+    if (options_.record_maps)
+      std::copy(disparity, disparity + n_,
+                result_.disparity_px.row(camera.row * n_ + y) + camera.column * n_);
   }
 }
 
@@ -156,6 +174,7 @@ void Assembly::fill_rows(int first, int end, int step) {
   for (int row = first; row < end; row += step)
     for (int column = 0; column < array_.layout.columns; ++column) {
       if (is_rendered({column, row})) continue;
+      if (options_.method == ReprojectionMethod::kTwoStep) keep_disparity({column, row});
       Job job{{column, row}, {}};
       for (const Position& corner : corner_positions(array_.layout))
         if (options_.method == ReprojectionMethod::kOneStep || corner[1] == row)
@@ -179,55 +198,77 @@ void Assembly::fill_between(int top, int bottom) {
 }
 
 void Assembly::fill(const std::vector<Job>& jobs) {
+  const std::size_t pixels = static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_);
   parallel_for(static_cast<int>(jobs.size()), 1, options_.threads, [&](int begin, int end) {
-    std::vector<std::uint64_t> keys(static_cast<std::size_t>(n_) * static_cast<std::size_t>(n_));
-    for (int i = begin; i < end; ++i) fill_one(jobs[static_cast<std::size_t>(i)], keys);
+    std::vector<std::uint64_t> keys(pixels);
+    std::vector<float> scratch(pixels);
+    for (int i = begin; i < end; ++i) {
+      const Job& job = jobs[static_cast<std::size_t>(i)];
+      std::vector<float>& kept = disparity_[index_of(job.at)];
+      fill_one(job, keys, kept.empty() ? scratch.data() : kept.data());
+    }
   });
-  result_.pixels += static_cast<std::int64_t>(jobs.size()) * n_ * n_;
+  result_.pixels += static_cast<std::int64_t>(jobs.size() * pixels);
 }
 
-void Assembly::fill_one(const Job& job, std::vector<std::uint64_t>& keys) {
+void Assembly::fill_one(const Job& job, std::span<std::uint64_t> keys, float* disparity) {
   search_({job.at[0], job.at[1], n_, max_disparity_px_, job.sources}, keys);
-  const std::int64_t holes = take_colours(job, keys);
+  const std::int64_t holes = take_colours(job, keys, disparity);
+  if (options_.record_maps) record(job, keys);
   if (holes == 0) return;
   holes_ += holes;
-  reprojection::fill_holes({result_.light_field.row(job.at[1] * n_) + job.at[0] * n_,
-                            disparity_.row(job.at[1] * n_) + job.at[0] * n_, disparity_.width(), n_},
-                           options_.holes, corners_);
+  reprojection::fill_holes({colours_at(job.at), result_.light_field.width(), disparity, n_}, options_.holes,
+                           corners_);
 }
 
-std::int64_t Assembly::take_colours(const Job& job, std::span<const std::uint64_t> keys) {
+/// Where the pixel taken for (x, y) lands from its centre.
+struct Offset {
+  float x, y;
+};
+Offset offset_of(const reprojection::Candidate& from, const Source& source, Position at, int x, int y) {
+  return {reprojection::landing(from.x, from.disparity_px, at[0] - source.column) - static_cast<float>(x),
+          reprojection::landing(from.y, from.disparity_px, at[1] - source.row) - static_cast<float>(y)};
+}
+
+std::int64_t Assembly::take_colours(const Job& job, std::span<const std::uint64_t> keys, float* disparity) {
   std::int64_t holes = 0;
   std::size_t i = 0;
   for (int y = 0; y < n_; ++y) {
-    Rgb* colour = result_.light_field.row(job.at[1] * n_ + y) + job.at[0] * n_;
-    float* disparity = disparity_.row(job.at[1] * n_ + y) + job.at[0] * n_;
-    float* offset =
-        options_.record_maps ? result_.offset_px.row(job.at[1] * n_ + y) + job.at[0] * n_ : nullptr;
+    Rgb* colour = colours_at(job.at) + static_cast<std::ptrdiff_t>(y) * result_.light_field.width();
     for (int x = 0; x < n_; ++x, ++i) {
       if (keys[i] == 0) {
+        disparity[i] = kNoDepth;
         ++holes;
         continue;
       }
       const reprojection::Candidate from = reprojection::candidate_of(keys[i]);
       const Source& source = job.sources[from.source];
-      const float taken = std::bit_cast<float>(static_cast<std::uint32_t>(keys[i] >> 32));
-      const float dx =
-                      reprojection::landing(from.x, taken, job.at[0] - source.column) - static_cast<float>(x),
-                  dy = reprojection::landing(from.y, taken, job.at[1] - source.row) - static_cast<float>(y);
-      colour[x] = reprojection::corrected_colour(source, n_, from.x, from.y, dx, dy);
-      disparity[x] = taken;
-      if (offset) offset[x] = std::max(std::abs(dx), std::abs(dy));
+      const Offset offset = offset_of(from, source, job.at, x, y);
+      colour[x] = reprojection::corrected_colour(source, n_, from.x, from.y, offset.x, offset.y);
+      disparity[i] = from.disparity_px;
     }
   }
   return holes;
 }
 
+void Assembly::record(const Job& job, std::span<const std::uint64_t> keys) {
+  std::size_t i = 0;
+  for (int y = 0; y < n_; ++y)
+    for (int x = 0; x < n_; ++x, ++i) {
+      if (keys[i] == 0) continue;
+      const reprojection::Candidate from = reprojection::candidate_of(keys[i]);
+      const Offset offset = offset_of(from, job.sources[from.source], job.at, x, y);
+      result_.disparity_px.at(job.at[0] * n_ + x, job.at[1] * n_ + y) = from.disparity_px;
+      result_.offset_px.at(job.at[0] * n_ + x, job.at[1] * n_ + y) =
+          std::max(std::abs(offset.x), std::abs(offset.y));
+    }
+}
+
 ReprojectionResult assemble(const CameraArray& array, std::span<const RenderedCamera> cameras,
-                            const ReprojectionOptions& options, Search search) {
+                            const ReprojectionOptions& options, Search search, DisplayImage buffer) {
   require_fitting(array, cameras);
   const auto start = std::chrono::steady_clock::now();
-  Assembly assembly(array, cameras, options, search);
+  Assembly assembly(array, cameras, options, search, std::move(buffer));
   assembly.run();
   ReprojectionResult result = assembly.take();
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -265,13 +306,13 @@ std::array<int, 2> central_position(const SubimageLayout& layout) {
 }
 
 ReprojectionResult reproject(const CameraArray& array, std::span<const RenderedCamera> cameras,
-                             const ReprojectionOptions& options) {
-  return assemble(array, cameras, options, reprojection::search_by_splatting);
+                             const ReprojectionOptions& options, DisplayImage buffer) {
+  return assemble(array, cameras, options, reprojection::search_by_splatting, std::move(buffer));
 }
 
 ReprojectionResult reproject_literally(const CameraArray& array, std::span<const RenderedCamera> cameras,
                                        const ReprojectionOptions& options) {
-  return assemble(array, cameras, options, reprojection::search_literally);
+  return assemble(array, cameras, options, reprojection::search_literally, {});
 }
 
 }  // namespace plenolab

@@ -17,9 +17,9 @@ Scene build_near_eye_5() {
   const int violet = add_mottled(scene, {0.46f, 0.24f, 0.52f}, {0.28f, 0.12f, 0.32f}, 1.3f, 8, 53);
   const float half = half_extent_m(kNear);
   for (const float x : {-1.86f, -1.24f, -0.62f, 0.0f, 0.62f, 1.24f, 1.86f})
-    scene.add(wood, rod({(x - 0.05f) * half, kNear + 0.0027f, -1.8f * half},
-                        {(x + 0.05f) * half, kNear + 0.0027f, 1.8f * half}, 0.0027f, 0.0024f, 40));
-  scene.add(wood, rod({-2 * half, kNear + 0.0065f, -0.66f * half}, {2 * half, kNear + 0.0065f, -0.6f * half},
+    scene.add(wood, rod({(x - 0.05f) * half, kNear + 0.002f, -1.8f * half},
+                        {(x + 0.05f) * half, kNear + 0.002f, 1.8f * half}, 0.002f, 0.0018f, 40));
+  scene.add(wood, rod({-2 * half, kNear + 0.0055f, -0.66f * half}, {2 * half, kNear + 0.0055f, -0.6f * half},
                       0.0012f, 0.0012f, 32));
   scene.add(green, placed(ellipsoid({0.07f, 0.07f, 0.07f}, 64), Vec3(-0.06f, 0.9f, 0.01f)));
   scene.add(violet, placed(bevelled_box({0.16f, 0.14f, 0.24f}, 0.012f), pose({0.12f, 1.3f, -0.06f}, 35)));

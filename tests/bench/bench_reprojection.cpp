@@ -1,5 +1,5 @@
-// Reprojection of a light field for the near-eye display against its limits and against rendering every camera
-// of the same scene with the same renderer, sampling and down-sampling.
+// Reprojection of a light field for the near-eye display against its limits and against rendering every
+// camera of the same scene with the same renderer, sampling and down-sampling.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -36,8 +36,10 @@ void reprojection(benchmark::State& state) {
     pixels += result.pixels;
     benchmark::DoNotOptimize(result.light_field.pixels().data());
   }
-  state.counters["light_fields/s"] = benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
-  state.counters["Mpx/s"] = benchmark::Counter(1e-6 * static_cast<double>(pixels), benchmark::Counter::kIsRate);
+  state.counters["light_fields/s"] =
+      benchmark::Counter(static_cast<double>(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["Mpx/s"] =
+      benchmark::Counter(1e-6 * static_cast<double>(pixels), benchmark::Counter::kIsRate);
 }
 BENCHMARK(reprojection)
     ->ArgsProduct({{0, 1}, {1, 2}})
@@ -70,19 +72,22 @@ void corner_cameras(benchmark::State& state) {
 BENCHMARK(corner_cameras)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void every_camera(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(render_directly(many_objects(), 0).light_field.pixels().data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(render_directly(many_objects(), 0).light_field.pixels().data());
 }
 BENCHMARK(every_camera)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void down_sampling(benchmark::State& state) {
   const SubimageLayout layout = camera_array(many_objects().grid).layout;
-  for (auto _ : state) benchmark::DoNotOptimize(halve_subimages(reprojected().light_field, layout).pixels().data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(halve_subimages(reprojected().light_field, layout).pixels().data());
 }
 BENCHMARK(down_sampling)->UseRealTime()->Unit(benchmark::kMillisecond);
 
 void panel(benchmark::State& state) {
   const SubimageLayout layout = camera_array(many_objects().grid).layout;
-  for (auto _ : state) benchmark::DoNotOptimize(panel_image(reprojected().light_field, layout, {}).pixels().data());
+  for (auto _ : state)
+    benchmark::DoNotOptimize(panel_image(reprojected().light_field, layout, {}).pixels().data());
 }
 BENCHMARK(panel)->UseRealTime()->Unit(benchmark::kMillisecond);
 

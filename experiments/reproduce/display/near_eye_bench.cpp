@@ -43,6 +43,14 @@ const DirectLightField& NearEyeBench::direct(const std::string& id, int supersam
   return direct_.emplace(key, render_directly(scene(id, supersampling), threads())).first->second;
 }
 
+const Plane<float>& NearEyeBench::true_disparity_px(const std::string& id) {
+  if (const auto found = true_disparity_px_.find(id); found != true_disparity_px_.end()) return found->second;
+  Plane<float> disparity = direct(id).depth_m;
+  const double at_one_metre = array(id).disparity_px(1);
+  for (float& v : disparity.pixels()) v = static_cast<float>(at_one_metre / static_cast<double>(v));
+  return true_disparity_px_.emplace(id, std::move(disparity)).first->second;
+}
+
 const DisplayImage& NearEyeBench::truth(const std::string& id, int supersampling) {
   const Key key{id, supersampling};
   if (const auto found = truth_.find(key); found != truth_.end()) return found->second;

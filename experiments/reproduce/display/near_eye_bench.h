@@ -38,7 +38,9 @@ class NearEyeBench {
   CameraArray array(const std::string& id, int supersampling = 2);
   /// Every camera rendered, at the rendered size.
   const DirectLightField& direct(const std::string& id, int supersampling = 2);
-  /// The same at the size of the display's subimages.
+  /// True disparity, px per camera, of every pixel of direct().
+  const Plane<float>& true_disparity_px(const std::string& id);
+  /// direct() at the size of the display's subimages.
   const DisplayImage& truth(const std::string& id, int supersampling = 2);
   const std::vector<RenderedCamera>& cameras(const std::string& id, int cameras, int supersampling = 2);
   /// Reprojected with maps recorded, at the rendered size.
@@ -64,6 +66,7 @@ class NearEyeBench {
   std::map<Key, NearEyeScene> scenes_;
   std::map<Key, DirectLightField> direct_;
   std::map<Key, DisplayImage> truth_;
+  std::map<std::string, Plane<float>> true_disparity_px_;
   std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
   std::map<RecipeKey, ReprojectionResult> reprojected_;
   std::map<RecipeKey, Timing> timings_;

@@ -39,7 +39,8 @@ Plane<float> absolute_difference(const DisplayImage& a, const DisplayImage& b) {
 
 double mean_absolute(const DisplayImage& a, const DisplayImage& b) {
   double sum = 0;
-  for (const float d : absolute_difference(a, b).pixels()) sum += static_cast<double>(d);
+  const Plane<float> difference = absolute_difference(a, b);
+  for (const float d : difference.pixels()) sum += static_cast<double>(d);
   return sum / static_cast<double>(a.size());
 }
 

@@ -267,7 +267,8 @@ ReproductionResult reproduce_claim_h11(Laboratory& laboratory) {
   for (const std::string& id : bench.scene_ids()) {
     const DisplayImage a = bench.image(id, one), b = bench.image(id, two);
     double count = 0;
-    for (const float d : absolute_difference(a, b).pixels()) count += d > 1.0f / 255;
+    const Plane<float> difference = absolute_difference(a, b);
+    for (const float d : difference.pixels()) count += d > 1.0f / 255;
     differing.push_back(count), pixels.push_back(static_cast<double>(a.size()));
     error_one.push_back(mean_absolute(bench.truth(id), a)),
         error_two.push_back(mean_absolute(bench.truth(id), b));

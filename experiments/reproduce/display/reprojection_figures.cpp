@@ -186,7 +186,8 @@ ReproductionResult reproduce_difference_images(Laboratory& laboratory) {
     const DisplayImage& truth = bench.truth(id);
     const DisplayImage image = bench.image(id, {});
     std::size_t equal = 0;
-    for (const float d : absolute_difference(truth, image).pixels()) equal += d <= 1.0f / 255;
+    const Plane<float> difference = absolute_difference(truth, image);
+    for (const float d : difference.pixels()) equal += d <= 1.0f / 255;
     const double close = static_cast<double>(equal) / static_cast<double>(truth.size());
     result.rows.add({"share_within_one_code", close, "1", {{"scene", id}}});
     share += close / static_cast<double>(bench.scene_ids().size());
