@@ -254,7 +254,7 @@ ReproductionResult reproduce_claim_h9(Laboratory& laboratory) {
     const ReprojectionResult smooth = reproject_anti_aliased(bench, id);
     stray_smooth.push_back(stray_share(smooth, bench.true_disparity_px(id), array.layout.size_px));
     stray_sharp.push_back(
-        stray_share(bench.reprojected(id, {}), bench.true_disparity_px(id), array.layout.size_px));
+        stray_share(*bench.reprojected(id, {}), bench.true_disparity_px(id), array.layout.size_px));
     error_smooth.push_back(
         mean_absolute(bench.truth(id), to_subimages(smooth.light_field, array.layout, 2, bench.threads())));
     error_sharp.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));

@@ -67,18 +67,19 @@ const std::vector<RenderedCamera>& NearEyeBench::cameras(const std::string& id, 
   return cameras_.emplace(key, render_cameras(scene(id, supersampling), cameras, threads())).first->second;
 }
 
-const ReprojectionResult& NearEyeBench::reprojected(const std::string& id, const Recipe& recipe) {
-  const RecipeKey key = key_of(id, recipe);
-  if (const auto found = reprojected_.find(key); found != reprojected_.end()) return found->second;
+std::shared_ptr<const ReprojectionResult> NearEyeBench::reprojected(const std::string& id,
+                                                                    const Recipe& recipe) {
+  const bool kept = key_of(id, recipe) == key_of(id, {});
+  if (const auto found = reprojected_.find(id); kept && found != reprojected_.end()) return found->second;
   const ReprojectionOptions options{recipe.method, recipe.holes, true, threads()};
-  return reprojected_
-      .emplace(key, reproject(array(id, recipe.supersampling),
-                              cameras(id, recipe.cameras, recipe.supersampling), options))
-      .first->second;
+  auto result = std::make_shared<const ReprojectionResult>(
+      reproject(array(id, recipe.supersampling), cameras(id, recipe.cameras, recipe.supersampling), options));
+  if (kept) reprojected_.emplace(id, result);
+  return result;
 }
 
 DisplayImage NearEyeBench::image(const std::string& id, const Recipe& recipe) {
-  return to_subimages(reprojected(id, recipe).light_field, array(id, recipe.supersampling).layout,
+  return to_subimages(reprojected(id, recipe)->light_field, array(id, recipe.supersampling).layout,
                       recipe.supersampling, threads());
 }
 

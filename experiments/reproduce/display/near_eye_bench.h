@@ -43,8 +43,9 @@ class NearEyeBench {
   /// direct() at the size of the display's subimages.
   const DisplayImage& truth(const std::string& id, int supersampling = 2);
   const std::vector<RenderedCamera>& cameras(const std::string& id, int cameras, int supersampling = 2);
-  /// Reprojected with maps recorded, at the rendered size.
-  const ReprojectionResult& reprojected(const std::string& id, const Recipe& recipe);
+  /// Reprojected with maps recorded, at the rendered size. Only those of the default recipe are kept: the
+  /// others are large and rarely asked for twice.
+  std::shared_ptr<const ReprojectionResult> reprojected(const std::string& id, const Recipe& recipe);
   /// The same at the size of the display's subimages.
   DisplayImage image(const std::string& id, const Recipe& recipe);
   const Timing& timing(const std::string& id, const Recipe& recipe);
@@ -68,7 +69,7 @@ class NearEyeBench {
   std::map<Key, DisplayImage> truth_;
   std::map<std::string, Plane<float>> true_disparity_px_;
   std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
-  std::map<RecipeKey, ReprojectionResult> reprojected_;
+  std::map<std::string, std::shared_ptr<const ReprojectionResult>> reprojected_;
   std::map<RecipeKey, Timing> timings_;
 };
 

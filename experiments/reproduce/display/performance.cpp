@@ -157,6 +157,26 @@ std::string seconds_text(const std::vector<double>& seconds) {
                      quantile(seconds, 1));
 }
 
+/// Time of one step over that of two, each run of one beside a run of the other: medians.
+struct StepTimes {
+  double one_s = 0, two_s = 0;
+};
+
+StepTimes time_steps(NearEyeBench& bench, const std::string& id) {
+  const CameraArray array = bench.array(id);
+  const std::vector<RenderedCamera>& cameras = bench.cameras(id, 4);
+  std::vector<double> one, two;
+  DisplayImage buffer;
+  for (int run = 0; run < 6; ++run)
+    for (const auto method : {ReprojectionMethod::kOneStep, ReprojectionMethod::kTwoStep}) {
+      ReprojectionResult r =
+          reproject(array, cameras, {.method = method, .threads = bench.threads()}, std::move(buffer));
+      if (run > 0) (method == ReprojectionMethod::kOneStep ? one : two).push_back(r.seconds);
+      buffer = std::move(r.light_field);
+    }
+  return {median(one), median(two)};
+}
+
 }  // namespace
 
 ReproductionResult reproduce_performance_test(Laboratory& laboratory) {
@@ -272,8 +292,8 @@ ReproductionResult reproduce_claim_h11(Laboratory& laboratory) {
     differing.push_back(count), pixels.push_back(static_cast<double>(a.size()));
     error_one.push_back(mean_absolute(bench.truth(id), a)),
         error_two.push_back(mean_absolute(bench.truth(id), b));
-    one_s.push_back(bench.timing(id, one).reprojection_s),
-        two_s.push_back(bench.timing(id, two).reprojection_s);
+    const StepTimes times = time_steps(bench, id);
+    one_s.push_back(times.one_s), two_s.push_back(times.two_s);
     table.rows.push_back({bench.scene(id).scene.scene().title, percent(count / pixels.back()),
                           error_one.back(), error_two.back(), one_s.back(), two_s.back()});
     result.rows.add({"share_differing", count / pixels.back(), "1", {{"scene", id}}});
@@ -300,7 +320,8 @@ ReproductionResult reproduce_claim_h11(Laboratory& laboratory) {
   result.differs = outcome_text(equal.outcome) +
                    (faster.outcome == Outcome::kRefuted
                         ? " One step has four sources for every subimage where two steps have two."
-                        : " One step saves time here.");
+                    : faster.outcome == Outcome::kConfirmed ? " One step saves time here."
+                                                            : " The times do not tell them apart.");
   result.add_table(std::move(table));
   conclude_on_scenes(
       result, bench,

@@ -21,7 +21,7 @@ namespace {
 
 constexpr const char* kOccluded = "near-eye-5";
 constexpr int kEnlarged = 4;
-constexpr float kBrighter = 4;
+constexpr float kBrighter = 8;
 
 std::string title_of(NearEyeBench& bench, const std::string& id) {
   return bench.scene(id).scene.scene().title;
@@ -119,10 +119,10 @@ ReproductionResult reproduce_extreme_occlusion(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
   add_centre(result, bench, kOccluded, {});
-  const double here = hole_share(bench.reprojected(kOccluded, {}));
+  const double here = hole_share(*bench.reprojected(kOccluded, {}));
   double elsewhere = 0;
   for (const std::string& id : bench.scene_ids()) {
-    const double share = hole_share(bench.reprojected(id, {}));
+    const double share = hole_share(*bench.reprojected(id, {}));
     result.rows.add({"hole_share", share, "1", {{"scene", id}}});
     if (id != kOccluded) elsewhere = std::max(elsewhere, share);
   }
