@@ -5,6 +5,7 @@
 # stimuli/scenes, on theirs, and on the sources named after such a header (parts.h: parts.cpp, parts_*.cpp). The common
 # hash covers everything else below stimuli, what no scene reaches, the files of core that decide numbers of a
 # rendering, and the versions of compiler and ray tracer. The table of scenes counts nowhere: it only names them.
+# Nor does stimuli/direct, whose views are not cached.
 set(core_files core/base/random.h core/image/colour.h core/image/colour.cpp core/lightfield/view_grid.h
   core/lightfield/view_grid.cpp)
 if(NOT CMAKE_SCRIPT_MODE_FILE)
@@ -77,6 +78,7 @@ endforeach()
 
 set(common ${all})
 list(REMOVE_ITEM common ${covered} ${table} "")
+list(FILTER common EXCLUDE REGEX "/stimuli/direct/")
 list(TRANSFORM core_files PREPEND ${ROOT}/)
 list(APPEND common ${core_files})
 list(SORT common)

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <vector>
 
 #include "experiments/cli/output.h"
 #include "stimuli/render.h"
@@ -34,7 +35,9 @@ void run_scenes(const Invocation& invocation, const CommonOptions& options) {
   Provenance provenance = begin_run(invocation, options);
   ResultTable table;
   std::string text;
-  for (const SceneEntry& entry : scenes()) {
+  std::vector<SceneEntry> all(scenes().begin(), scenes().end());
+  all.insert(all.end(), near_eye_scenes().begin(), near_eye_scenes().end());
+  for (const SceneEntry& entry : all) {
     const Scene scene = entry.build();
     add_preset_rows(table, scene, "quick", scene.quick);
     add_preset_rows(table, scene, "paper", scene.paper);

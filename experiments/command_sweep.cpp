@@ -14,6 +14,7 @@
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/scenes.h"
 #include "experiments/cli/wide_table.h"
+#include "experiments/sweep_reprojection.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
 #include "experiments/sweep_tonemap.h"
@@ -126,6 +127,15 @@ ResultTable run_adjustment_sweep(const SweepOptions& options, const fs::path& fo
   return table;
 }
 
+ResultTable run_reprojection_sweep(const SweepOptions& options, const fs::path& folder) {
+  if (source_exists(options)) throw UsageError("the sweep of reprojection renders its cameras: name a scene");
+  const Scene scene = scene_named(options.source);
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_reprojection(scene, run_of(options, bar));
+  write_sweep_plot(table, reprojection_sweep_plot(), scene.id, folder);
+  return table;
+}
+
 /// A method with the table in which people see its rows.
 struct SweepMethod {
   const char* name;
@@ -161,6 +171,14 @@ const std::vector<SweepMethod>& methods() {
        {"light_field", "sigma_views", "support_views"},
        tone_columns({{"neighbour_difference", "between neighbours"},
                      {"correspondences_per_pixel", "correspondences"}})},
+      {"reprojection",
+       run_reprojection_sweep,
+       {"scene", "method", "cameras", "supersampling"},
+       {{"mean_error", "mean error"},
+        {"hole_share", "holes"},
+        {"seconds_median", "seconds"},
+        {"memory_peak_mib", "peak [MiB]"},
+        {"on_pareto_front", "Pareto front"}}},
   };
   return table;
 }
@@ -217,7 +235,9 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("method", options->method, "Method to sweep")->required()->check(one_of(method_names()));
   app.add_option("source", options->source,
                  "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
-                 "truth; bilateral, histogram: image with radiance; adjustment: folder of a light field")
+                 "truth; bilateral, histogram: image with radiance; adjustment: folder of a light field; "
+                 "reprojection: "
+                 "scenes only")
       ->required();
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
@@ -232,7 +252,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.footer(
       "synthesis: search, step, key views against rendered or captured truth. bilateral: sampling of the "
       "grid "
-      "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment.\n"
+      "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
+      "reprojection: steps, cameras and supersampling for the near-eye display.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });

@@ -16,6 +16,7 @@ void add_adjust_lf_command(CLI::App& app, const Invocation& invocation);
 void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
+void add_reproject_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_analyse_command(CLI::App& app, const Invocation& invocation);
 void add_reproduce_command(CLI::App& app, const Invocation& invocation);
@@ -38,6 +39,8 @@ std::span<const Command> commands() {
       Command{"metric", "Compare a test image with a reference", add_metric_command},
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
               add_evaluate_command},
+      Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",
+              add_reproject_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
       Command{"analyse", "Statistics of sessions: tests, tables, fits, planning", add_analyse_command},
       Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report",

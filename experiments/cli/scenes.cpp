@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <span>
 
 #include "core/base/error.h"
 #include "experiments/cli/suggest.h"
@@ -13,7 +14,8 @@ namespace plenolab {
 
 Scene scene_named(const std::string& id) {
   std::vector<std::string> known;
-  for (const SceneEntry& entry : scenes()) known.emplace_back(entry.id);
+  for (const std::span<const SceneEntry> table : {scenes(), near_eye_scenes()})
+    for (const SceneEntry& entry : table) known.emplace_back(entry.id);
   if (std::find(known.begin(), known.end(), id) == known.end())
     throw UsageError(fmt::format("there is no scene '{}'{} (there are: {})", id, did_you_mean(id, known),
                                  fmt::join(known, ", ")));

@@ -6,6 +6,7 @@
 
 #include "analysis/timing.h"
 #include "core/base/parallel.h"
+#include "experiments/reproduce/display/near_eye_bench.h"
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
@@ -45,6 +46,11 @@ Laboratory::~Laboratory() = default;
 MappingBench& Laboratory::mapping_bench() {
   if (!mapping_bench_) mapping_bench_ = std::make_unique<MappingBench>(*this);
   return *mapping_bench_;
+}
+
+NearEyeBench& Laboratory::near_eye_bench() {
+  if (!near_eye_bench_) near_eye_bench_ = std::make_unique<NearEyeBench>(*this);
+  return *near_eye_bench_;
 }
 
 std::vector<std::string> Laboratory::scene_ids() const {

@@ -15,6 +15,7 @@
 namespace plenolab {
 
 class MappingBench;
+class NearEyeBench;
 
 /// How large a reproduction is run.
 enum class Effort {
@@ -84,6 +85,8 @@ class Laboratory {
 
   /// What the items on tone mapping share (experiments/reproduce/tonemap).
   MappingBench& mapping_bench();
+  /// What the items on the near-eye display share (experiments/reproduce/display).
+  NearEyeBench& near_eye_bench();
 
   const RenderingTally& tally() const { return tally_; }
 
@@ -100,6 +103,7 @@ class Laboratory {
   std::map<std::string, std::unique_ptr<SceneState>> scenes_;
   std::map<std::string, PreparedScene> prepared_variants_;
   std::unique_ptr<MappingBench> mapping_bench_;
+  std::unique_ptr<NearEyeBench> near_eye_bench_;
   std::mutex tally_mutex_;
   RenderingTally tally_;
 };

@@ -72,6 +72,28 @@ ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
 ReproductionResult reproduce_robust_operator(Laboratory& laboratory);
+ReproductionResult reproduce_circle_of_confusion(Laboratory& laboratory);
+ReproductionResult reproduce_hole_fills(Laboratory& laboratory);
+ReproductionResult reproduce_centre_subimages(Laboratory& laboratory);
+ReproductionResult reproduce_extreme_occlusion(Laboratory& laboratory);
+ReproductionResult reproduce_edge_differences(Laboratory& laboratory);
+ReproductionResult reproduce_largest_differences(Laboratory& laboratory);
+ReproductionResult reproduce_mean_differences(Laboratory& laboratory);
+ReproductionResult reproduce_median_differences(Laboratory& laboratory);
+ReproductionResult reproduce_performance_test(Laboratory& laboratory);
+ReproductionResult reproduce_first_experiment(Laboratory& laboratory);
+ReproductionResult reproduce_difference_images(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h3(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h7(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h8(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h9(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h10(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h11(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h12(Laboratory& laboratory);
 ReproductionResult reproduce_study_table(Laboratory& laboratory);
 ReproductionResult reproduce_initial_study_table(Laboratory& laboratory);
 ReproductionResult reproduce_study_figure(Laboratory& laboratory);
@@ -150,6 +172,28 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kConsistency, reproduce_robust_operator},
       Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
                    Chapter::kConsistency, reproduce_adaptation_in_time},
+      Reproduction{"hansen-fig-3.2", "Figure 3.2: circle of confusion", Chapter::kDisplay,
+                   reproduce_circle_of_confusion},
+      Reproduction{"hansen-fig-3.8", "Figure 3.8: ways to fill holes", Chapter::kDisplay,
+                   reproduce_hole_fills},
+      Reproduction{"hansen-fig-5.1", "Figure 5.1: centre subimages of five scenes", Chapter::kDisplay,
+                   reproduce_centre_subimages},
+      Reproduction{"hansen-table-5.2", "Table 5.2: largest differences", Chapter::kDisplay,
+                   reproduce_largest_differences},
+      Reproduction{"hansen-table-5.3", "Table 5.3: mean differences", Chapter::kDisplay,
+                   reproduce_mean_differences},
+      Reproduction{"hansen-table-5.4", "Table 5.4: median differences", Chapter::kDisplay,
+                   reproduce_median_differences},
+      Reproduction{"hansen-fig-5.3", "Figure 5.3: extreme occlusion", Chapter::kDisplay,
+                   reproduce_extreme_occlusion},
+      Reproduction{"hansen-fig-5.4", "Figure 5.4: edges and textures", Chapter::kDisplay,
+                   reproduce_edge_differences},
+      Reproduction{"hansen-test-5.1", "Performance test 5.1: reprojection against rendering every camera",
+                   Chapter::kDisplay, reproduce_performance_test},
+      Reproduction{"hansen-fig-e.2", "Figure E.2: without supersampling, with black holes", Chapter::kDisplay,
+                   reproduce_first_experiment},
+      Reproduction{"hansen-fig-f.1", "Figure F.1: difference images", Chapter::kDisplay,
+                   reproduce_difference_images},
       Reproduction{"hansen-table-5.1", "Table 5.1: choices of 34 participants", Chapter::kStudy,
                    reproduce_study_table},
       Reproduction{"hansen-fig-5.2", "Figure 5.2 (figure 6 of the paper): choices and the critical number",
@@ -237,6 +281,28 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kClaims, reproduce_claim_h13},
       Reproduction{"altmeier-claim-s1", "Claim A-S1: which stages are interactive, which run in real time",
                    Chapter::kClaims, reproduce_claim_s1},
+      Reproduction{"hansen-claim-h2", "Claim H-2: differences concentrate at edges and occlusions",
+                   Chapter::kClaims, reproduce_claim_h2},
+      Reproduction{"hansen-claim-h3", "Claim H-3: a fifth camera removes many holes", Chapter::kClaims,
+                   reproduce_claim_h3},
+      Reproduction{"hansen-claim-h4", "Claim H-4: mean colours fill holes better than repeated edges",
+                   Chapter::kClaims, reproduce_claim_h4},
+      Reproduction{"hansen-claim-h5", "Claim H-5: no match is off by more than half a pixel",
+                   Chapter::kClaims, reproduce_claim_h5},
+      Reproduction{"hansen-claim-h6", "Claim H-6: reprojection is slower than direct rendering",
+                   Chapter::kClaims, reproduce_claim_h6},
+      Reproduction{"hansen-claim-h7", "Claim H-7: higher resolution lowers the share of wrong pixels",
+                   Chapter::kClaims, reproduce_claim_h7},
+      Reproduction{"hansen-claim-h8", "Claim H-8: depth needs more than eight bits", Chapter::kClaims,
+                   reproduce_claim_h8},
+      Reproduction{"hansen-claim-h9", "Claim H-9: anti-aliased corner views break matching", Chapter::kClaims,
+                   reproduce_claim_h9},
+      Reproduction{"hansen-claim-h10", "Claim H-10: the printed numbers of the optics", Chapter::kClaims,
+                   reproduce_claim_h10},
+      Reproduction{"hansen-claim-h11", "Claim H-11: one step gives what two steps give", Chapter::kClaims,
+                   reproduce_claim_h11},
+      Reproduction{"hansen-claim-h12", "Claim H-12: supersampling hardly costs time", Chapter::kClaims,
+                   reproduce_claim_h12},
   };
   return kItems;
 }

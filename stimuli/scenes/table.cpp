@@ -21,18 +21,31 @@ constexpr std::array kScenes{
     SceneEntry{"desk", "Desk", build_desk},
 };
 
+constexpr std::array kNearEyeScenes{
+    SceneEntry{"near-eye-1", "Many objects", build_near_eye_1},
+    SceneEntry{"near-eye-2", "Few objects", build_near_eye_2},
+    SceneEntry{"near-eye-3", "Objects behind each other", build_near_eye_3},
+    SceneEntry{"near-eye-4", "Curved surfaces", build_near_eye_4},
+    SceneEntry{"near-eye-5", "Extreme occlusion", build_near_eye_5},
+};
+
 }  // namespace
 
 std::span<const SceneEntry> scenes() {
   return kScenes;
 }
 
+std::span<const SceneEntry> near_eye_scenes() {
+  return kNearEyeScenes;
+}
+
 Scene build_scene(std::string_view id) {
   std::string known;
-  for (const SceneEntry& entry : kScenes) {
-    if (id == entry.id) return entry.build();
-    known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.id);
-  }
+  for (const std::span<const SceneEntry> table : {scenes(), near_eye_scenes()})
+    for (const SceneEntry& entry : table) {
+      if (id == entry.id) return entry.build();
+      known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.id);
+    }
   throw InputError(fmt::format("There is no scene '{}'; choose one of: {}.", id, known));
 }
 

@@ -14,10 +14,15 @@ struct SceneEntry {
   Scene (*build)();
 };
 
-/// All scenes, in the order of reports. Adding one is one file in this folder and one line in table.cpp.
+/// The scenes for synthesis and tone mapping, in the order of reports. Adding one is one file in this folder
+/// and one line in table.cpp.
 std::span<const SceneEntry> scenes();
 
-/// Models the scene called `id`: the same meshes, bit by bit, at every call. Throws InputError, which lists
+/// The scenes for the near-eye light-field display, kept apart: seen from 12 cm to 6 m by cameras 1 mm apart,
+/// diffuse, lit by a sun and an even sky.
+std::span<const SceneEntry> near_eye_scenes();
+
+/// Models the scene of either table called `id`: the same meshes, bit by bit, at every call. Throws InputError, which lists
 /// the known ids, for any other name.
 Scene build_scene(std::string_view id);
 
@@ -31,5 +36,10 @@ Scene build_boats();
 Scene build_dunes();
 Scene build_dominoes();
 Scene build_desk();
+Scene build_near_eye_1();
+Scene build_near_eye_2();
+Scene build_near_eye_3();
+Scene build_near_eye_4();
+Scene build_near_eye_5();
 
 }  // namespace plenolab

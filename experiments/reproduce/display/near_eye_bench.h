@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "experiments/near_eye.h"
+#include "experiments/reproduce/laboratory.h"
+
+namespace plenolab {
+
+/// What the items on the near-eye display share during one run: the five scenes, their light fields with
+/// every camera rendered (VC) and reprojected (IC), each computed when first asked for and kept. References
+/// stay valid. A tiny run has subimages of 27 px (54 rendered) and 5 × 3 cameras 2.8 mm apart.
+class NearEyeBench {
+ public:
+  explicit NearEyeBench(Laboratory& laboratory) : laboratory_(laboratory) {}
+
+  /// A way to make a light field from few cameras.
+  struct Recipe {
+    ReprojectionMethod method = ReprojectionMethod::kTwoStep;
+    HoleFill holes = HoleFill::kMean;
+    int cameras = 4, supersampling = 2;
+  };
+
+  /// Seconds that a light field took, down-sampling included: every camera rendered, or few and the rest
+  /// reprojected. Medians of a few runs (the former: one run), measured one after the other.
+  struct Timing {
+    double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0, direct_s = 0;
+    double reprojected_total_s() const { return cameras_s + reprojection_s + down_sampling_s; }
+    double direct_total_s() const { return direct_s + down_sampling_s; }
+  };
+
+  const std::vector<std::string>& scene_ids() const;
+  const NearEyeScene& scene(const std::string& id, int supersampling = 2);
+  CameraArray array(const std::string& id, int supersampling = 2);
+  /// Every camera rendered, at the rendered size.
+  const DirectLightField& direct(const std::string& id, int supersampling = 2);
+  /// True disparity, px per camera, of every pixel of direct().
+  const Plane<float>& true_disparity_px(const std::string& id);
+  /// direct() at the size of the display's subimages.
+  const DisplayImage& truth(const std::string& id, int supersampling = 2);
+  const std::vector<RenderedCamera>& cameras(const std::string& id, int cameras, int supersampling = 2);
+  /// Reprojected with maps recorded, at the rendered size. Only those of the default recipe are kept: the
+  /// others are large and rarely asked for twice.
+  std::shared_ptr<const ReprojectionResult> reprojected(const std::string& id, const Recipe& recipe);
+  /// The same at the size of the display's subimages.
+  DisplayImage image(const std::string& id, const Recipe& recipe);
+  const Timing& timing(const std::string& id, const Recipe& recipe);
+  /// Layout at the size of the display's subimages.
+  SubimageLayout subimages(const std::string& id);
+
+  int threads() const { return laboratory_.options().threads; }
+
+ private:
+  using Key = std::tuple<std::string, int>;
+  using RecipeKey = std::tuple<std::string, int, int, int, int>;
+  static RecipeKey key_of(const std::string& id, const Recipe& recipe) {
+    return {id, static_cast<int>(recipe.method), static_cast<int>(recipe.holes), recipe.cameras,
+            recipe.supersampling};
+  }
+
+  Laboratory& laboratory_;
+  std::map<std::string, DirectScene> built_;
+  std::map<Key, NearEyeScene> scenes_;
+  std::map<Key, DirectLightField> direct_;
+  std::map<Key, DisplayImage> truth_;
+  std::map<std::string, Plane<float>> true_disparity_px_;
+  std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
+  std::map<std::string, std::shared_ptr<const ReprojectionResult>> reprojected_;
+  std::map<RecipeKey, Timing> timings_;
+};
+
+}  // namespace plenolab
