@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
+#include <optional>
 
 #include "analysis/calibration/coordinates.h"
 
@@ -11,62 +13,102 @@ namespace plenolab {
 
 namespace {
 
-std::vector<std::string> kinds_in(const CalibrationMeasurements& measurements) {
-  std::vector<std::string> kinds;
-  for (const CalibrationRecord& record : measurements.records)
-    if (std::find(kinds.begin(), kinds.end(), kind_of(record)) == kinds.end())
-      kinds.emplace_back(kind_of(record));
-  return kinds;
+constexpr double kMostOutliers = 0.2;
+
+/// Readings of one kind, or one anchor.
+struct Source {
+  std::string name;
+  std::string kind;                              ///< of records
+  std::optional<CalibrationParameter> anchor{};  ///< or this
+
+  bool holds(const CalibrationResidual& residual, const CalibrationMeasurements& all) const {
+    if (anchor || residual.anchor) return anchor == residual.anchor;
+    return kind == kind_of(all.records[residual.record]);
+  }
+  void remove_from(CalibrationMeasurements& measurements) const {
+    if (anchor)
+      measurements.parameters[index_of(*anchor)].role = ParameterSetting::Role::kFree;
+    else
+      std::erase_if(measurements.records, [&](const CalibrationRecord& r) { return kind == kind_of(r); });
+  }
+};
+
+std::vector<Source> sources_of(const CalibrationMeasurements& measurements) {
+  std::vector<Source> sources;
+  for (const CalibrationRecord& record : measurements.records) {
+    const std::string kind = kind_of(record);
+    if (std::none_of(sources.begin(), sources.end(), [&](const Source& s) { return s.kind == kind; }))
+      sources.push_back({kind, kind});
+  }
+  for (std::size_t i = 0; i < measurements.parameters.size(); ++i)
+    if (measurements.parameters[i].role == ParameterSetting::Role::kAnchored)
+      sources.push_back(
+          {fmt::format("anchor of {}", traits_of(i).symbol), "", static_cast<CalibrationParameter>(i)});
+  return sources;
 }
 
-/// The reading of the full fit's list that the fit without it contradicts most.
-std::optional<DoubtedSource::LeftOut> farthest(const CalibrationMeasurements& all,
-                                               const std::vector<FittedReading>& readings,
-                                               const CalibrationFit& without, const auto& is_left_out) {
-  std::optional<DoubtedSource::LeftOut> worst;
-  const auto residuals = residuals_of(all);
-  for (std::size_t i = 0; i < readings.size(); ++i) {
-    if (!is_left_out(readings[i])) continue;
-    const double predicted = prediction_of(residuals[i], all, without.geometry);
-    const double deviations = (predicted - readings[i].measured) / readings[i].sd;
-    if (!worst || std::abs(deviations) > std::abs(worst->deviations))
-      worst = DoubtedSource::LeftOut{readings[i].what, readings[i].measured, predicted, deviations};
+LeftOutReading farthest(const Source& source, const CalibrationMeasurements& all, const CalibrationFit& fit) {
+  LeftOutReading worst;
+  for (const CalibrationResidual& residual : residuals_of(all)) {
+    if (!source.holds(residual, all)) continue;
+    const double measured = reading_of(residual, all);
+    const double predicted = prediction_of(residual, all, fit.geometry);
+    const double deviations = (predicted - measured) / deviation_of(residual, all);
+    if (worst.what.empty() || std::abs(deviations) > std::abs(worst.deviations))
+      worst = {reading_name(residual, all), measured, predicted, deviations};
   }
   return worst;
 }
 
-/// Whether the fit still determines every parameter that is asked for.
-bool determines_all(const CalibrationFit& fit) {
-  return fit.converged && fit.uncertainty.open.empty();
+/// Nothing if no record would be left.
+std::optional<DoubtedSource> fit_without(const std::vector<Source>& left_out,
+                                         const CalibrationMeasurements& all,
+                                         const CalibrationFitOptions& options) {
+  CalibrationMeasurements rest = all;
+  DoubtedSource doubt;
+  for (const Source& source : left_out) {
+    source.remove_from(rest);
+    doubt.source += (doubt.source.empty() ? "" : " + ") + source.name;
+  }
+  if (rest.records.empty()) return std::nullopt;
+  if (left_out.empty()) doubt.source = "nothing";
+  doubt.fit = fit_calibration(rest, options);
+  if (doubt.fit.converged && doubt.fit.uncertainty.open.empty())
+    for (const Source& source : left_out) doubt.left_out.push_back(farthest(source, all, doubt.fit));
+  return doubt;
+}
+
+bool reconciles(const DoubtedSource& doubt) {
+  return !doubt.left_out.empty() && !contradicts(doubt.fit);
 }
 
 }  // namespace
 
+bool isolated_outliers(const CalibrationFit& fit) {
+  double chi2 = fit.chi2;
+  int outliers = 0;
+  for (const FittedReading& reading : fit.readings)
+    if (reading.outlier) chi2 -= reading.deviations * reading.deviations, ++outliers;
+  const int freedom = fit.degrees_of_freedom - outliers;
+  if (outliers == 0 || outliers > kMostOutliers * static_cast<double>(fit.readings.size()) || freedom < 1)
+    return false;
+  return boost::math::gamma_q(freedom / 2.0, std::max(0.0, chi2) / 2) >= kContradiction;
+}
+
 std::vector<DoubtedSource> doubt_each_source(const CalibrationMeasurements& measurements,
-                                             const CalibrationFitOptions& options) {
-  std::vector<DoubtedSource> doubts;
-  doubts.push_back({"nothing", fit_calibration(measurements, options), std::nullopt});
-  const std::vector<FittedReading> readings = doubts.front().fit.readings;
-  const auto add = [&](const std::string& source, const CalibrationMeasurements& without,
-                       const auto& is_left_out) {
-    DoubtedSource doubt{source, fit_calibration(without, options), std::nullopt};
-    if (determines_all(doubt.fit)) doubt.left_out = farthest(measurements, readings, doubt.fit, is_left_out);
-    doubts.push_back(std::move(doubt));
-  };
-  const std::vector<std::string> kinds = kinds_in(measurements);
-  for (const std::string& kind : kinds) {
-    if (kinds.size() == 1) break;  // nothing would be left to fit to
-    CalibrationMeasurements without = measurements;
-    std::erase_if(without.records, [&](const CalibrationRecord& record) { return kind == kind_of(record); });
-    add(kind + " readings", without, [&](const FittedReading& r) { return r.kind == kind; });
-  }
-  for (std::size_t i = 0; i < measurements.parameters.size(); ++i) {
-    if (measurements.parameters[i].role != ParameterSetting::Role::kAnchored) continue;
-    CalibrationMeasurements without = measurements;
-    without.parameters[i].role = ParameterSetting::Role::kFree;
-    add(fmt::format("the anchor of {}", traits_of(i).symbol), without,
-        [&](const FittedReading& r) { return r.kind == "anchor" && r.record == i; });
-  }
+                                             CalibrationFitOptions options) {
+  options.loss = CalibrationLoss::kNone;
+  const std::vector<Source> sources = sources_of(measurements);
+  std::vector<DoubtedSource> doubts{*fit_without({}, measurements, options)};
+  for (const Source& source : sources)
+    if (auto doubt = fit_without({source}, measurements, options)) doubts.push_back(std::move(*doubt));
+  if (!contradicts(doubts.front().fit) || std::any_of(doubts.begin(), doubts.end(), reconciles))
+    return doubts;
+  for (std::size_t i = 0; i < sources.size(); ++i)
+    for (std::size_t j = i + 1; j < sources.size(); ++j)
+      if (auto doubt = fit_without({sources[i], sources[j]}, measurements, options);
+          doubt && reconciles(*doubt) && doubt->fit.degrees_of_freedom > 0)
+        doubts.push_back(std::move(*doubt));
   return doubts;
 }
 

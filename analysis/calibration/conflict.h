@@ -1,6 +1,5 @@
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -8,18 +7,19 @@
 
 namespace plenolab {
 
-/// A fit without one of its sources: the readings of a kind, or the anchor of a parameter, are left out, and
-/// the rest says what they should have been.
+/// What a fit predicts for a reading, or an anchor, that it was not given.
+struct LeftOutReading {
+  std::string what;  ///< "vergence_dpt", "f_mm"
+  double measured = 0, predicted = 0, deviations = 0;
+};
+
+/// A fit without some of its sources: the readings of a kind, or the anchor of a parameter.
 struct DoubtedSource {
-  std::string source;  ///< "focus readings" or "the anchor of f"; "nothing" for the fit to everything
+  std::string source;  ///< "focus", "anchor of f", two of them with " + "; "nothing" for none
   CalibrationFit fit;
-  /// What the fit predicts for that which was left out, against what was read, where it was farthest off.
-  /// Absent for "nothing", and where the rest does not determine it.
-  struct LeftOut {
-    std::string what;  ///< "vergence_dpt", "f_mm"
-    double measured = 0, predicted = 0, deviations = 0;
-  };
-  std::optional<LeftOut> left_out;
+  /// Of each source left out the reading that the rest contradicts most; empty for "nothing", and where the
+  /// rest does not determine everything.
+  std::vector<LeftOutReading> left_out;
 };
 
 /// Measurements contradict each other if a χ² this large is rarer than this.
@@ -28,9 +28,15 @@ inline bool contradicts(const CalibrationFit& fit) {
   return fit.p_value < kContradiction;
 }
 
-/// The fit to everything, then without each source in turn. One that reconciles the rest is not thereby
-/// wrong: it says what would have to be, so that it can be checked.
+/// Whether a contradiction is that of a few outliers: at most one reading in five, and without them the rest
+/// agrees.
+bool isolated_outliers(const CalibrationFit& fit);
+
+/// Plain least-squares fits to everything ("nothing" left out), then without each source in turn; if none of
+/// these reconciles the rest, also without any two, of which only those are given that reconcile it with
+/// readings to spare. A source that reconciles the rest is not thereby wrong: it says what would have to be,
+/// so that it can be checked.
 std::vector<DoubtedSource> doubt_each_source(const CalibrationMeasurements& measurements,
-                                             const CalibrationFitOptions& options = {});
+                                             CalibrationFitOptions options = {});
 
 }  // namespace plenolab

@@ -1,5 +1,7 @@
 #include "analysis/calibration/coordinates.h"
 
+#include "analysis/calibration/record_fields.h"
+
 namespace plenolab {
 
 namespace {
@@ -66,6 +68,19 @@ double reading_of(const CalibrationResidual& residual, const CalibrationMeasurem
 double deviation_of(const CalibrationResidual& residual, const CalibrationMeasurements& measurements) {
   if (residual.anchor) return measurements.parameters[index_of(*residual.anchor)].sd;
   return deviation_of(measurements.records[residual.record]);
+}
+
+std::string reading_name(const CalibrationResidual& residual, const CalibrationMeasurements& measurements) {
+  if (residual.anchor) return traits_of(*residual.anchor).name;
+  std::vector<std::string> names;
+  std::visit(
+      [&](const auto& r) {
+        for_each_number(r, [&](const RecordField& field, double) {
+          if (field.role == RecordField::Role::kReading) names.emplace_back(field.name);
+        });
+      },
+      measurements.records[residual.record]);
+  return names[residual.component];
 }
 
 DisplayGeometry<CalibrationJet> geometry_with_derivatives(const CalibrationCoordinates& coordinates,

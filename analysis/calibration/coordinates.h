@@ -2,6 +2,8 @@
 
 #include <ceres/jet.h>
 
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/calibration/model.h"
@@ -79,6 +81,9 @@ T prediction_of(const CalibrationResidual& residual, const CalibrationMeasuremen
 /// What was read, and its standard deviation.
 double reading_of(const CalibrationResidual& residual, const CalibrationMeasurements& measurements);
 double deviation_of(const CalibrationResidual& residual, const CalibrationMeasurements& measurements);
+
+/// What the reading is called in files; of an anchor: the parameter.
+std::string reading_name(const CalibrationResidual& residual, const CalibrationMeasurements& measurements);
 
 /// Number with its derivatives by all coordinates.
 using CalibrationJet = ceres::Jet<double, kCalibrationParameters>;

@@ -10,7 +10,6 @@
 
 #include "analysis/calibration/coordinates.h"
 #include "analysis/calibration/loss.h"
-#include "analysis/calibration/record_fields.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 
@@ -23,6 +22,16 @@ constexpr std::uint64_t kStarts = 0x63616c6962737461ull;
 constexpr double kStartSpread = 0.1;
 constexpr double kSameCost = 1e-6;
 
+/// Lengths between a twentieth and twenty times their nominal values: beyond, exponentials overflow, and no
+/// display is built like that.
+template <class T>
+bool within_reach(const T* x) {
+  constexpr double kLargestLogRatio = 3;
+  for (std::size_t i = 0; i < kCalibrationParameters; ++i)
+    if (traits_of(i).positive && !(x[i] <= kLargestLogRatio && x[i] >= -kLargestLogRatio)) return false;
+  return true;
+}
+
 struct ResidualFunctor {
   const CalibrationMeasurements* measurements;
   const CalibrationCoordinates* coordinates;
@@ -31,9 +40,9 @@ struct ResidualFunctor {
 
   template <class T>
   bool operator()(const T* x, T* result) const {
+    if (!within_reach(x)) return false;  // a step too far is taken back
     result[0] = (prediction_of(residual, *measurements, coordinates->geometry(x)) - reading) / deviation;
-    using std::isfinite;
-    return isfinite(result[0]);  // a step too far is taken back
+    return true;
   }
 };
 
@@ -120,33 +129,15 @@ bool better(const SolvedStart& a, const SolvedStart& b) {
   return a.cost < b.cost;
 }
 
-std::string reading_name(const CalibrationRecord& record, std::size_t component) {
-  std::vector<std::string> names;
-  std::visit(
-      [&](const auto& r) {
-        for_each_number(r, [&](const RecordField& field, double) {
-          if (field.role == RecordField::Role::kReading) names.emplace_back(field.name);
-        });
-      },
-      record);
-  return names[component];
-}
-
 std::vector<FittedReading> readings_against(const CalibrationMeasurements& measurements,
                                             const DisplayGeometry<double>& geometry,
                                             const CalibrationFitOptions& options) {
   std::vector<FittedReading> fitted;
   for (const CalibrationResidual& residual : residuals_of(measurements)) {
     FittedReading f;
-    if (residual.anchor) {
-      f.record = index_of(*residual.anchor);
-      f.kind = "anchor";
-      f.what = traits_of(*residual.anchor).name;
-    } else {
-      f.record = residual.record;
-      f.kind = kind_of(measurements.records[residual.record]);
-      f.what = reading_name(measurements.records[residual.record], residual.component);
-    }
+    f.record = residual.anchor ? index_of(*residual.anchor) : residual.record;
+    f.kind = residual.anchor ? "anchor" : kind_of(measurements.records[residual.record]);
+    f.what = reading_name(residual, measurements);
     f.measured = reading_of(residual, measurements);
     f.predicted = prediction_of(residual, measurements, geometry);
     f.sd = deviation_of(residual, measurements);

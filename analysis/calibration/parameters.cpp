@@ -18,9 +18,8 @@ constexpr std::array<ParameterTraits, kCalibrationParameters> kTraits{{
     {"rotation_deg", "rotation", "deg", "lens grid against pixel grid", false, 0},
     {"pupil_offset_mm", "pupil offset", "mm", "entrance pupil of the camera above its measured height", false,
      0},
-    {"sharpness", "largest sharpness", "1", "largest apparent sharpness", true, 1},
-    {"sharpness_width", "sharpness width", "1", "change of the screen scale that halves the sharpness", true,
-     0.01},
+    {"sharpness", "S_max", "1", "largest apparent sharpness", true, 1},
+    {"sharpness_width", "S_width", "1", "change of the screen scale that halves the sharpness", true, 0.01},
 }};
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -29,6 +30,13 @@ double error_of_reading(const CalibrationRig& rig, std::uint64_t seed, std::uint
     return unit_double(random_u64(seed, kOutliers, 2 * index + 1)) < 0.5 ? rig.outlier_deviations
                                                                          : -rig.outlier_deviations;
   return normal(seed, kReadingNoise, index);
+}
+
+/// To a hundredth of the deviation or finer, as a person would note it down.
+double as_noted_down(double reading, double deviation) {
+  const double scale = std::pow(10, std::max(0.0, 2 - std::floor(std::log10(deviation))));
+  const double rounded = std::round(reading * scale) / scale;
+  return std::isfinite(rounded) ? rounded : reading;
 }
 
 }  // namespace
@@ -62,12 +70,14 @@ CalibrationMeasurements simulate_measurements(const CalibrationRig& rig, std::ui
   std::uint64_t index = 0;
   for (CalibrationRecord& record : measurements.records) {
     Readings<double> readings = readings_of(record);
-    for (double& reading : readings) reading += deviation_of(record) * error_of_reading(rig, seed, index++);
+    const double sd = deviation_of(record);
+    for (double& reading : readings)
+      reading = as_noted_down(reading + sd * error_of_reading(rig, seed, index++), sd);
     record = with_readings(record, readings);
   }
   for (std::size_t i = 0; i < measurements.parameters.size(); ++i)
     if (ParameterSetting& p = measurements.parameters[i]; p.role == ParameterSetting::Role::kAnchored)
-      p.nominal = rig.truth[i] + p.sd * normal(seed, kAnchorNoise, i);
+      p.nominal = as_noted_down(rig.truth[i] + p.sd * normal(seed, kAnchorNoise, i), p.sd);
   return measurements;
 }
 
