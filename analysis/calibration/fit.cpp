@@ -20,6 +20,9 @@ namespace {
 constexpr std::uint64_t kStarts = 0x63616c6962737461ull;
 /// Further starts lie within this distance of the nominal coordinates: a tenth of each length.
 constexpr double kStartSpread = 0.1;
+/// A curve of sharpness is begun up to ten times wider: a narrow one that misses its readings has no slope to
+/// follow.
+constexpr double kWidthSpread = 2.3;
 constexpr double kSameCost = 1e-6;
 
 /// Lengths between a twentieth and twenty times their nominal values: beyond, exponentials overflow, and no
@@ -118,8 +121,10 @@ ParameterValues start_of(int number, const ParameterValues& nominal,
   if (number == 0) return x;
   RandomStream random(seed, kStarts, static_cast<std::uint64_t>(number));
   for (std::size_t i = 0; i < x.size(); ++i) {
-    const double shift = kStartSpread * (2 * random.next_double() - 1);
-    if (measurements.parameters[i].role != ParameterSetting::Role::kFixed) x[i] += shift;
+    const double draw = random.next_double();
+    if (measurements.parameters[i].role == ParameterSetting::Role::kFixed) continue;
+    const bool width = i == index_of(CalibrationParameter::kSharpnessWidth);
+    x[i] += width ? kWidthSpread * draw : kStartSpread * (2 * draw - 1);
   }
   return x;
 }

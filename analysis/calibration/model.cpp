@@ -59,7 +59,7 @@ CalibrationRecord with_readings(CalibrationRecord record, const Readings<double>
 
 const DerivedTraits& derived_quantities() {
   static constexpr DerivedTraits kTable{{
-      {"fov_deg", "the field of view", "deg", "field of view of one subimage, 2 atan(subimage/(2 d_l))"},
+      {"fov_deg", "field of view", "deg", "field of view of one subimage, 2 atan(subimage/(2 d_l))"},
       {"lens_pitch_px", "w_l/p", "px", "lens pitch in pixels"},
       {"subimage_per_lens", "subimage/w_l", "1", "subimage width over lens pitch: the matching screen scale"},
       {"lens_pitch_over_d_l", "w_l/d_l", "1", "lens pitch over its distance from the panel"},

@@ -11,6 +11,9 @@ namespace plenolab {
 
 namespace {
 
+/// χ² of readings that are met exactly.
+constexpr double kRounding = 1e-9;
+
 using Columns = std::vector<std::pair<std::string, Cell>>;
 
 void add_estimate(ResultTable& table, const CalibrationEstimate& e, const std::string& role) {
@@ -52,7 +55,7 @@ void add_correlations(ResultTable& table, const CalibrationUncertainty& uncertai
 }
 
 void add_summary(ResultTable& table, const CalibrationFit& fit, const Columns& columns) {
-  table.add({"chi2", fit.chi2, "1", columns});
+  table.add({"chi2", fit.chi2 < kRounding ? 0 : fit.chi2, "1", columns});
   table.add({"degrees_of_freedom", static_cast<double>(fit.degrees_of_freedom), "1", columns});
   table.add({"p_value", fit.p_value, "1", columns});
 }
@@ -94,6 +97,11 @@ void add_readings(ResultTable& table, const CalibrationFit& fit) {
 /// 0 where rounding is all that there is.
 double without_rounding(const CalibrationEstimate& e) {
   return std::abs(e.value) < 1e-9 * *e.sd ? 0 : e.value;
+}
+
+/// "d_l [mm]".
+std::string heading_of(const CalibrationEstimate& e) {
+  return e.unit == "1" ? e.symbol : fmt::format("{} [{}]", e.symbol, e.unit);
 }
 
 std::string judgement(const CalibrationFit& fit) {
@@ -174,13 +182,14 @@ WideDesign reading_design() {
 }
 
 WideDesign doubt_design(const std::vector<DoubtedSource>& doubts) {
-  WideDesign design{{"without"}, {{"chi2", "χ²"}, {"degrees_of_freedom", "degrees"}, {"p_value", "p"}}};
+  WideDesign design{{"without"}, {{"chi2", "χ²"}, {"p_value", "p-value"}}};
   if (doubts.empty()) return design;
   const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
   for (const CalibrationEstimate& e : all.parameters)
-    if (e.sd.value_or(1) > 0) design.columns.push_back({e.name, e.name});
-  for (const char* name : {"fov_deg", "subimage_per_lens", "vergence_dpt"})
-    design.columns.push_back({name, name});
+    if (e.sd.value_or(1) > 0) design.columns.push_back({e.name, heading_of(e)});
+  for (const CalibrationEstimate& e : all.derived)
+    if (e.name == "fov_deg" || e.name == "subimage_per_lens" || e.name == "vergence_dpt")
+      design.columns.push_back({e.name, heading_of(e)});
   return design;
 }
 
@@ -191,8 +200,7 @@ WideDesign coverage_design() {
            {"coverage_low", "95 % from"},
            {"coverage_high", "to"},
            {"rms_error", "RMS error"},
-           {"mean_sd", "mean sd"},
-           {"mean_error", "mean error"}}};
+           {"mean_sd", "mean sd"}}};
 }
 
 std::vector<std::string> calibration_sentences(const CalibrationFit& fit) {

@@ -112,7 +112,7 @@ ReproductionResult reproduce_field_of_view_conflict(Laboratory&) {
     return format_number(d.fit.values[index_of(p)]);
   };
   const DoubtedSource &focus = without(two, "focus"), &pitch = without(two, "anchor of p"),
-                      &lens = without(two, "anchor of f"), &pupil = without(two, "anchor of pupil offset");
+                      &lens = without(two, "anchor of f"), &pupil = without(two, "anchor of pupil");
   result.paper_shows =
       "Calculated is a field of view of 17.28° (d_l = 3.29 mm), measured 19.86°, which the thesis works with "
       "and puts down to "

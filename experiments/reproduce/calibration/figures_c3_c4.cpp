@@ -112,7 +112,7 @@ ReproductionResult reproduce_confirmed_field_of_view(Laboratory& laboratory) {
       format_number(fov.value), format_number(fov.sd.value_or(0), 2), rendered);
   result.differs = fmt::format(
       "As a yes or no the check excludes the calculated {:.2f}° {}; its width of {:.2f}° is what “confirmed” "
-      "means. The same pictures, measured, say {:.0f} times more.",
+      "means. Measured, the same pictures are {:.0f} times sharper.",
       kPrintedNominal_deg, low > kPrintedNominal_deg ? "indeed" : "not at all", high - low,
       (high - low) / (4 * fov.sd.value_or(1)));
   const WideDesign design = estimate_design();
