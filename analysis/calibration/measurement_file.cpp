@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "analysis/calibration/json_node.h"
 #include "analysis/calibration/record_fields.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -13,132 +14,26 @@ namespace plenolab {
 
 namespace {
 
-using Json = nlohmann::json;
 using Ordered = nlohmann::ordered_json;
 
 constexpr const char* kMeasurementFormat = "plenolab-calibration";
 constexpr const char* kRigFormat = "plenolab-calibration-rig";
 constexpr int kVersion = 1;
-constexpr std::size_t kMostRecords = 100000;
-constexpr std::size_t kMostText = 4000;
 
-/// A JSON value with the name of its file and its place in it, so that every complaint can say where.
-class Node {
- public:
-  Node(const Json& json, std::string file, std::string place)
-      : json_(json), file_(std::move(file)), place_(std::move(place)) {}
-
-  [[noreturn]] void wrong(const std::string& what) const {
-    throw InputError(place_.empty() ? fmt::format("{}: the file {}", file_, what)
-                                    : fmt::format("{}: \"{}\" {}", file_, place_, what));
-  }
-
-  void require_object() const {
-    if (!json_.is_object()) wrong(fmt::format("must be an object, not {}", json_.type_name()));
-  }
-
-  bool has(const std::string& key) const { return json_.contains(key); }
-
-  Node at(const std::string& key) const {
-    require_object();
-    const auto found = json_.find(key);
-    const std::string place = place_.empty() ? key : place_ + "." + key;
-    if (found == json_.end()) throw InputError(fmt::format("{}: \"{}\" is missing", file_, place));
-    return {*found, file_, place};
-  }
-
-  std::vector<Node> elements() const {
-    if (!json_.is_array()) wrong(fmt::format("must be a list, not {}", json_.type_name()));
-    if (json_.size() > kMostRecords) wrong(fmt::format("must have at most {} elements", kMostRecords));
-    std::vector<Node> nodes;
-    for (std::size_t i = 0; i < json_.size(); ++i)
-      nodes.emplace_back(json_[i], file_, fmt::format("{}[{}]", place_, i));
-    return nodes;
-  }
-
-  std::vector<std::string> keys() const {
-    require_object();
-    std::vector<std::string> names;
-    for (const auto& item : json_.items()) names.push_back(item.key());
-    return names;
-  }
-
-  std::string text() const {
-    if (!json_.is_string()) wrong(fmt::format("must be a text, not {}", json_.type_name()));
-    std::string value = json_.get<std::string>();
-    if (value.size() > kMostText) wrong(fmt::format("must be a text of at most {} bytes", kMostText));
-    return value;
-  }
-
-  double number() const {
-    if (!json_.is_number()) wrong(fmt::format("must be a number, not {}", json_.type_name()));
-    const double value = json_.get<double>();
-    if (!std::isfinite(value)) wrong("must be a finite number");
-    return value;
-  }
-
-  int integer() const {
-    const double value = number();
-    if (value != std::floor(value) || std::abs(value) > 1e6)
-      wrong(fmt::format("must be a whole number up to a million, not {}", value));
-    return static_cast<int>(value);
-  }
-
-  bool truth() const {
-    if (!json_.is_boolean()) wrong(fmt::format("must be true or false, not {}", json_.type_name()));
-    return json_.get<bool>();
-  }
-
-  /// Which of the words it is.
-  std::size_t one_of(const std::vector<std::string>& words) const {
-    const std::string value = text();
-    std::string list;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-      if (words[i] == value) return i;
-      list += (i == 0 ? "\"" : i + 1 == words.size() ? " or \"" : ", \"") + words[i] + "\"";
-    }
-    wrong(fmt::format("must be {}, not \"{}\"", list, value.substr(0, 80)));
-  }
-
-  void allow_only(const std::vector<std::string>& known) const {
-    for (const std::string& key : keys())
-      if (std::find(known.begin(), known.end(), key) == known.end())
-        at(key).wrong("is not a key of this format: check its spelling");
-  }
-
- private:
-  const Json& json_;
-  std::string file_, place_;
-};
-
-Json parse_json(std::string_view text, const std::string& name) {
-  // The parser works recursively: deep nesting would exhaust the stack of a program that expects four levels.
-  constexpr int kMaxNesting = 8;
-  const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxNesting) throw InputError(fmt::format("{} is nested too deeply", name));
-    return true;
-  };
-  try {
-    return Json::parse(text, bounded);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}", name, error.what()));
-  }
-}
-
-void require_format(const Node& root, const std::string& format) {
+void require_format(const JsonNode& root, const std::string& format) {
   root.require_object();
   if (root.at("format").text() != format) root.at("format").wrong(fmt::format("must be \"{}\"", format));
   if (root.at("version").number() != kVersion)
     root.at("version").wrong(fmt::format("must be {}: this program knows no other", kVersion));
 }
 
-CalibrationInstrument read_instrument(const Node& node) {
+CalibrationInstrument read_instrument(const JsonNode& node) {
   node.allow_only({"subimage_px", "camera_spacing_mm", "render_fov_deg"});
   return {node.at("subimage_px").number(), node.at("camera_spacing_mm").number(),
           node.at("render_fov_deg").number()};
 }
 
-CalibrationParameter parameter_at(const Node& node, const std::string& key) {
+CalibrationParameter parameter_at(const JsonNode& node, const std::string& key) {
   if (const auto parameter = parameter_named(key)) return *parameter;
   std::string known;
   for (std::size_t i = 0; i < kCalibrationParameters; ++i)
@@ -146,7 +41,7 @@ CalibrationParameter parameter_at(const Node& node, const std::string& key) {
   node.at(key).wrong("is not a parameter: there are " + known);
 }
 
-ParameterSetting read_setting(const Node& node) {
+ParameterSetting read_setting(const JsonNode& node) {
   node.allow_only({"nominal", "sd", "fixed"});
   ParameterSetting setting;
   setting.nominal = node.at("nominal").number();
@@ -163,18 +58,18 @@ ParameterSetting read_setting(const Node& node) {
 }
 
 /// Keys and values that are no plain numbers.
-std::vector<std::string> read_words(const Node& node, EdgeRecord& record) {
+std::vector<std::string> read_words(const JsonNode& node, EdgeRecord& record) {
   record.axis = node.at("axis").one_of({"x", "y"}) == 0 ? CalibrationAxis::kX : CalibrationAxis::kY;
   record.side = node.at("side").one_of({"positive", "negative"}) == 0 ? 1 : -1;
   return {"axis", "side"};
 }
-std::vector<std::string> read_words(const Node& node, GridRecord& record) {
+std::vector<std::string> read_words(const JsonNode& node, GridRecord& record) {
   record.column = node.at("column").integer();
   record.row = node.at("row").integer();
   return {"column", "row"};
 }
 template <class Record>
-std::vector<std::string> read_words(const Node&, Record&) {
+std::vector<std::string> read_words(const JsonNode&, Record&) {
   return {};
 }
 
@@ -209,7 +104,7 @@ const std::vector<std::string>& kinds() {
   return names;
 }
 
-CalibrationRecord read_record(const Node& node, bool with_readings) {
+CalibrationRecord read_record(const JsonNode& node, bool with_readings) {
   CalibrationRecord record = empty_record(node.at("kind").one_of(kinds()), AllKinds{});
   std::visit(
       [&](auto& r) {
@@ -240,14 +135,14 @@ Ordered write_record(const CalibrationRecord& record, bool with_readings) {
   return json;
 }
 
-CalibrationMeasurements read_body(const Node& root, bool with_readings) {
+CalibrationMeasurements read_body(const JsonNode& root, bool with_readings) {
   CalibrationMeasurements measurements;
   if (root.has("comment")) measurements.comment = root.at("comment").text();
   measurements.instrument = read_instrument(root.at("instrument"));
-  const Node parameters = root.at("parameters");
+  const JsonNode parameters = root.at("parameters");
   for (const std::string& key : parameters.keys())
     measurements.parameters[index_of(parameter_at(parameters, key))] = read_setting(parameters.at(key));
-  for (const Node& record : root.at("records").elements())
+  for (const JsonNode& record : root.at("records").elements())
     measurements.records.push_back(read_record(record, with_readings));
   return measurements;
 }
@@ -310,8 +205,8 @@ std::string layout(const Ordered& json) {
 }  // namespace
 
 CalibrationMeasurements parse_measurements(std::string_view json, const std::string& name) {
-  const Json document = parse_json(json, name);
-  const Node root(document, name, "");
+  const nlohmann::json document = parse_bounded_json(json, name);
+  const JsonNode root(document, name, "");
   require_format(root, kMeasurementFormat);
   root.allow_only({"format", "version", "comment", "instrument", "parameters", "records"});
   CalibrationMeasurements measurements = read_body(root, true);
@@ -330,19 +225,19 @@ CalibrationMeasurements read_measurements(const std::filesystem::path& file) {
 }
 
 CalibrationRig parse_rig(std::string_view json, const std::string& name) {
-  const Json document = parse_json(json, name);
-  const Node root(document, name, "");
+  const nlohmann::json document = parse_bounded_json(json, name);
+  const JsonNode root(document, name, "");
   require_format(root, kRigFormat);
   root.allow_only(
       {"format", "version", "comment", "instrument", "parameters", "truth", "outliers", "records"});
   CalibrationRig rig;
   rig.plan = read_body(root, false);
-  const Node truth = root.at("truth");
+  const JsonNode truth = root.at("truth");
   for (std::size_t i = 0; i < rig.truth.size(); ++i) rig.truth[i] = rig.plan.parameters[i].nominal;
   for (const std::string& key : truth.keys())
     rig.truth[index_of(parameter_at(truth, key))] = truth.at(key).number();
   if (root.has("outliers")) {
-    const Node outliers = root.at("outliers");
+    const JsonNode outliers = root.at("outliers");
     outliers.allow_only({"share", "deviations"});
     rig.outlier_share = outliers.at("share").number();
     rig.outlier_deviations = outliers.at("deviations").number();

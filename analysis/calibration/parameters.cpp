@@ -16,8 +16,7 @@ constexpr std::array<ParameterTraits, kCalibrationParameters> kTraits{{
     {"offset_x_mm", "offset x", "mm", "lens grid against pixel grid, to the right", false, 0},
     {"offset_y_mm", "offset y", "mm", "lens grid against pixel grid, downwards", false, 0},
     {"rotation_deg", "rotation", "deg", "lens grid against pixel grid", false, 0},
-    {"pupil_offset_mm", "pupil", "mm", "entrance pupil of the camera above its measured height", false,
-     0},
+    {"pupil_offset_mm", "pupil", "mm", "entrance pupil of the camera above its measured height", false, 0},
     {"sharpness", "S_max", "1", "largest apparent sharpness", true, 1},
     {"sharpness_width", "S_width", "1", "change of the screen scale that halves the sharpness", true, 0.01},
 }};

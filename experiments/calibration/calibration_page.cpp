@@ -85,8 +85,8 @@ ReportSection conflict_section(const std::vector<DoubtedSource>& doubts) {
   section.blocks.emplace_back(Paragraph{paragraphs(doubt_sentences(doubts))});
   section.blocks.emplace_back(table_of(
       doubt_rows(doubts), doubt_design(doubts),
-      "Fits without one source each. A source that reconciles the rest is not thereby wrong: it is what "
-      "to measure again."));
+      "Plain least-squares fits without one source, or without two where that reconciles the rest. Such a "
+      "source is not thereby wrong: it is what to measure again."));
   return section;
 }
 
@@ -197,7 +197,7 @@ ReportPlot direction_plot(const CalibrationFit& fit) {
   plot.plot.series = {std::move(known), level(kKnownWithin, 0.5, end, "limit of “determined”")};
   plot.plot.x = {.title = "Direction, from best to least determined", .minimum = 0.5, .maximum = end};
   plot.plot.y = {.title = "Standard deviation, relative", .logarithmic = true};
-  plot.plot.key = KeyPosition::kTopLeft;
+  plot.plot.key = KeyPosition::kBottomRight;
   const int missing = fit.uncertainty.unknowns - fit.uncertainty.rank;
   plot.caption = fmt::format(
       "Standard deviations along the principal directions of the parameters (reciprocal singular values){}.",

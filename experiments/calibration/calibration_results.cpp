@@ -11,6 +11,8 @@ namespace plenolab {
 
 namespace {
 
+/// χ² as small or smaller is as rare as a contradiction: deviations are stated too large.
+constexpr double kTooGood = 1 - kContradiction;
 /// χ² of readings that are met exactly.
 constexpr double kRounding = 1e-9;
 
@@ -107,7 +109,9 @@ std::string heading_of(const CalibrationEstimate& e) {
 std::string judgement(const CalibrationFit& fit) {
   return fmt::format("χ² is {} with {} degrees of freedom (p = {}): {}.", format_number(fit.chi2),
                      fit.degrees_of_freedom, format_number(fit.p_value, 2),
-                     !contradicts(fit)        ? "the readings agree within their deviations"
+                     fit.p_value > kTooGood
+                         ? "the readings agree even better than their deviations let expect"
+                     : !contradicts(fit)      ? "the readings agree within their deviations"
                      : isolated_outliers(fit) ? "the readings agree but for the outliers"
                                               : "the readings contradict each other");
 }
