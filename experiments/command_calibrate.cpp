@@ -106,7 +106,7 @@ void write_page(const CalibrateOptions& options, const CalibrationPage& page, co
                 const fs::path& folder) {
   for (const NamedPlot& plot : page.plots) write_plot(plot.plot.plot, folder / plot.name);
   write_text_file(folder / "rows.csv", to_csv(rows));
-  fs::copy_file(options.measurements, folder / "measurements.json");
+  write_text_file(folder / "measurements.json", read_text_file(options.measurements));
   write_report(page.report, folder / "report.html");
 }
 

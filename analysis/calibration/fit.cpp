@@ -169,6 +169,16 @@ void judge(CalibrationFit& fit) {
     fit.p_value = boost::math::gamma_q(fit.degrees_of_freedom / 2.0, fit.chi2 / 2);
 }
 
+/// A solver can end where the model is not finite, e.g. with deviations of 1e-12.
+void require_finite(CalibrationFit& fit) {
+  bool finite = std::isfinite(fit.chi2);
+  for (const double value : fit.values) finite = finite && std::isfinite(value);
+  for (const double value : fit.uncertainty.singular_values) finite = finite && std::isfinite(value);
+  if (finite) return;
+  fit.converged = false;
+  if (fit.message.empty()) fit.message = "the model is not finite there";
+}
+
 }  // namespace
 
 void CalibrationFitOptions::validate() const {
@@ -212,6 +222,7 @@ CalibrationFit fit_calibration(const CalibrationMeasurements& measurements,
       uncertainty_at(measurements, best.x, loss_moments(options, deviations_of_readings(fit.readings)));
   for (std::size_t i = 0; i < fit.values.size(); ++i) fit.values[i] = fit.uncertainty.parameters[i].value;
   judge(fit);
+  require_finite(fit);
   return fit;
 }
 

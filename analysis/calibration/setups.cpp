@@ -141,12 +141,9 @@ CalibrationMeasurements thesis_measurements() {
   CalibrationMeasurements m;
   m.comment =
       "Hansen & Klein 2016: 19.86 deg measured (appendix C, printed as an angle; here as edges from 100 mm), "
-      "a "
-      "spacer with which the panel is sharp (appendix A; the design puts its image at 965 mm), subimages "
-      "that "
-      "had to be scaled down from 83 1/3 to 80 1/3 px to be sharp (appendix D, section 3.2.3), nominal "
-      "lengths "
-      "(section 3.1). Deviations are ours.";
+      "a spacer with which the panel is sharp (appendix A; the design puts its image at 965 mm), subimages "
+      "that had to be scaled down from 83 1/3 to 80 1/3 px to be sharp (appendix D, section 3.2.3), nominal "
+      "lengths (section 3.1). Deviations are ours.";
   for (const int side : {-1, 1})
     m.records.emplace_back(EdgeRecord{CalibrationAxis::kX, side, kHeight_mm,
                                       kHeight_mm * std::tan(radians(kMeasuredFov_deg) / 2), kReading_mm});

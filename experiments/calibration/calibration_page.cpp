@@ -73,20 +73,19 @@ ReportSection result_section(const CalibrationMeasurements& measurements, const 
   ReportSection section{"What is determined", {}, {}};
   if (!measurements.comment.empty()) section.blocks.emplace_back(Paragraph{measurements.comment});
   section.blocks.emplace_back(Paragraph{paragraphs(calibration_sentences(fit))});
-  section.blocks.emplace_back(table_of(
-      rows, estimate_design(),
-      "Parameters and what follows from them. What the readings do not determine to within a quarter of its "
-      "own size has no estimate."));
+  section.blocks.emplace_back(table_of(rows, estimate_design(),
+                                       "Parameters and what follows from them. What the readings do not "
+                                       "determine to within a quarter of its own size has no estimate."));
   return section;
 }
 
 ReportSection conflict_section(const std::vector<DoubtedSource>& doubts) {
   ReportSection section{"What would reconcile the readings", {}, {}};
   section.blocks.emplace_back(Paragraph{paragraphs(doubt_sentences(doubts))});
-  section.blocks.emplace_back(table_of(
-      doubt_rows(doubts), doubt_design(doubts),
-      "Plain least-squares fits without one source, or without two where that reconciles the rest. Such a "
-      "source is not thereby wrong: it is what to measure again."));
+  section.blocks.emplace_back(
+      table_of(doubt_rows(doubts), doubt_design(doubts),
+               "Plain least-squares fits without one source, or without two where that reconciles the rest. "
+               "Such a source is not thereby wrong: it is what to measure again."));
   return section;
 }
 
@@ -130,8 +129,8 @@ ReportPlot residual_plot(const CalibrationFit& fit) {
       {"± 2 deviations", PlotSeries::Style::kLines, {{0, -2}, {end, -2}, {end, 2}, {0, 2}, {0, -2}}});
   plot.plot.marked_title = "outlier";
   plot.caption =
-      "Residuals of readings and anchors in their own standard deviations; about one in twenty lies "
-      "beyond ± 2 if the model holds.";
+      "Residuals of readings and anchors in their own standard deviations; about one in twenty lies beyond ± "
+      "2 if the model holds.";
   plot.alt = fmt::format("Points of {} residuals about zero.", fit.readings.size());
   return plot;
 }
@@ -179,8 +178,8 @@ ReportPlot correlation_plot(const CalibrationFit& fit) {
   plot.plot.y = {.title = "Correlation", .minimum = -1, .maximum = 1};
   plot.plot.key = KeyPosition::kNone;
   plot.caption =
-      "Strongest correlations of the errors of two parameters: near ± 1 one cannot be known better "
-      "without the other.";
+      "Strongest correlations of the errors of two parameters: near ± 1 one cannot be known better without "
+      "the other.";
   plot.alt = fmt::format("Bars from {} with {:.2f} down.", all.front().pair, all.front().value);
   return plot;
 }
@@ -224,8 +223,8 @@ ReportPlot open_direction_plot(const CalibrationFit& fit) {
   plot.plot.y = {.title = "Change together", .unit = "%"};
   plot.plot.key = KeyPosition::kOutside;
   plot.caption =
-      "Directions that the readings leave open: changed together like this, the parameters give the "
-      "same predictions.";
+      "Directions that the readings leave open: changed together like this, the parameters give the same "
+      "predictions.";
   plot.alt = "Bars of relative changes of each parameter along the open directions.";
   return plot;
 }

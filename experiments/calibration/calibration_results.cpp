@@ -248,11 +248,10 @@ std::vector<std::string> doubt_sentences(const std::vector<DoubtedSource>& doubt
         left_out.what, format_number(left_out.predicted), format_number(left_out.measured)));
   }
   if (sentences.empty() && !doubts.empty() && contradicts(doubts.front().fit))
-    sentences.push_back(
-        pairs > 0 ? fmt::format("No single source explains the contradiction; {} pairs of them do, each with "
-                                "other lengths.",
-                                pairs)
-                  : "No source, nor any two of them, explains the contradiction.");
+    sentences.push_back(pairs > 0 ? fmt::format("No single source explains the contradiction; {} pairs of "
+                                                "them do, each with other lengths.",
+                                                pairs)
+                                  : "No source, nor any two of them, explains the contradiction.");
   return sentences;
 }
 

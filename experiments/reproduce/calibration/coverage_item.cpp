@@ -107,10 +107,9 @@ ReproductionResult reproduce_calibration_coverage(Laboratory& laboratory) {
   result.paper_shows = "The thesis gives its calibration without uncertainties.";
   result.ours_shows = fmt::format(
       "Over {} simulated displays, each measured and fitted anew, the 95 % intervals of {} parameters hold "
-      "the truth in {:.1f} % "
-      "({}) to {:.1f} % ({}) of cases; {} of {} fits converged, {:.1f} ms each. With one reading in ten off "
-      "by 20 deviations the "
-      "error of d_l is {} µm by least squares, {} µm with Huber's loss and {} µm with Cauchy's.",
+      "the truth in {:.1f} % ({}) to {:.1f} % ({}) of cases; {} of {} fits converged, {:.1f} ms each. With "
+      "one reading in ten off by 20 deviations the error of d_l is {} µm by least squares, {} µm with "
+      "Huber's loss and {} µm with Cauchy's.",
       coverage.rigs, coverage.parameters.size(), 100 * share_of(*low), traits_of(low->parameter).symbol,
       100 * share_of(*high), traits_of(high->parameter).symbol, coverage.converged, coverage.rigs,
       1000 * coverage.seconds / coverage.rigs, format_number(distance_error_um(runs[3].result), 3),

@@ -63,9 +63,8 @@ ReproductionResult reproduce_lens_grid(Laboratory& laboratory) {
       "corrected in the shader.";
   result.ours_shows = fmt::format(
       "Nine lens centres read to {} px on the pixel grid give the rotation as {}° ± {}° (true: {}°) and the "
-      "offset as {} mm ± "
-      "{} mm; lens pitch {} px ± {} px. The rotation of {}° displaces the corner lens by {} px, what is left "
-      "after the fit by {} px.",
+      "offset as {} mm ± {} mm; lens pitch {} px ± {} px. The rotation of {}° displaces the corner lens by "
+      "{} px, what is left after the fit by {} px.",
       format_number(deviation_of(rig.plan.records.front())), format_number(rotation.value),
       format_number(rotation.sd.value_or(0), 2),
       format_number(rig.truth[index_of(CalibrationParameter::kRotation)]), format_number(x.value),
@@ -76,8 +75,7 @@ ReproductionResult reproduce_lens_grid(Laboratory& laboratory) {
   result.differs = fmt::format(
       "A fit replaces the eye, and its readings are simulated. It also says what a shader can do: once every "
       "subimage is put under its rotated lens, a rotation is left only inside subimages, {:.0f} times less "
-      "at "
-      "their corners than at the corner lens.",
+      "at their corners than at the corner lens.",
       m.corner_lens_px / m.inside_subimage_px);
   const WideDesign design = estimate_design();
   result.add_table(wide_table(result.rows, design.keys, design.columns, "Lens grid against pixel grid"));

@@ -65,61 +65,74 @@ std::string joined(const std::vector<OpenDirection>& open) {
   return text.empty() ? "Everything is determined." : text;
 }
 
+Plot scale_plot(const std::vector<Explanation>& displays) {
+  Plot plot;
+  plot.x = {.title = "Screen scale"};
+  plot.y = {.title = "Sharpness, relative", .minimum = 0, .maximum = 1.05};
+  plot.key = KeyPosition::kOutside;
+  for (const Explanation& e : displays)
+    plot.series.push_back({e.title, PlotSeries::Style::kLines, curve_of(e.values)});
+  return plot;
+}
+
+double sharpest_scale_of(const ParameterValues& values) {
+  return sharpest_scale(geometry_of(values), CalibrationInstrument{}, kTargetDepth_mm);
+}
+
+std::string with_deviation(const CalibrationFit& fit, P parameter) {
+  const CalibrationEstimate& e = fit.uncertainty.parameters[index_of(parameter)];
+  if (!e.determined()) return fmt::format("{} not determined", e.symbol);
+  return fmt::format("{} = {} mm ± {} mm", e.symbol, format_number(e.value), format_number(*e.sd, 2));
+}
+
+std::string ours_text(const std::vector<Explanation>& displays, const CalibrationFit& alone,
+                      const CalibrationFit& with_grid) {
+  return fmt::format(
+      "Sharpness peaks at the scale at which the light field converges where the panel is in focus. As "
+      "designed that is {}; the printed {} needs lenses of {} mm, or equally well a panel at d_l = {} mm. "
+      "From sharpness alone: {} With nine lens centres on the pixel grid: {} (true: {} mm), {}.",
+      format_number(sharpest_scale_of(displays[0].values)), format_number(kPrintedScale),
+      format_number(displays[1].values[index_of(P::kLensPitch)]),
+      format_number(displays[2].values[index_of(P::kLensDistance)]), joined(alone.uncertainty.open),
+      with_deviation(with_grid, P::kLensPitch), format_number(displays[1].values[index_of(P::kLensPitch)]),
+      with_deviation(with_grid, P::kLensDistance));
+}
+
 }  // namespace
 
 ReproductionResult reproduce_screen_scale(Laboratory& laboratory) {
   ReproductionResult result;
   const std::uint64_t seed = laboratory.options().seed;
-  Plot plot;
-  plot.x = {.title = "Screen scale"};
-  plot.y = {.title = "Sharpness, relative", .minimum = 0, .maximum = 1.05};
-  plot.key = KeyPosition::kOutside;
-  for (const Explanation& e : explanations()) {
-    plot.series.push_back({e.title, PlotSeries::Style::kLines, curve_of(e.values)});
-    result.rows.add({"sharpest_scale",
-                     sharpest_scale(geometry_of(e.values), CalibrationInstrument{}, kTargetDepth_mm),
-                     "1",
-                     {{"display", std::string(e.title)}}});
-  }
-  const ParameterValues smaller = explanations()[1].values, nearer = explanations()[2].values;
-  const CalibrationMeasurements alone = simulate_measurements(rig_of(smaller, false), seed);
+  const std::vector<Explanation> displays = explanations();
+  const ParameterValues& smaller = displays[1].values;
   const CalibrationMeasurements with_grid = simulate_measurements(rig_of(smaller, true), seed);
-  const CalibrationFit fit_alone = fit_calibration(alone, {.seed = seed});
+  const CalibrationFit fit_alone =
+      fit_calibration(simulate_measurements(rig_of(smaller, false), seed), {.seed = seed});
   const CalibrationFit fit_grid = fit_calibration(with_grid, {.seed = seed});
-  const auto estimate = [&](P p) { return fit_grid.uncertainty.parameters[index_of(p)]; };
-  result.rows.append(calibration_rows(with_grid, fit_grid));
+  for (const Explanation& e : displays)
+    result.rows.add(
+        {"sharpest_scale", sharpest_scale_of(e.values), "1", {{"display", std::string(e.title)}}});
+  const ResultTable grid_rows = calibration_rows(with_grid, fit_grid);
+  result.rows.append(grid_rows);
   result.paper_shows =
       "Figure D.1 and section 3.2.3: the image was sharp only once subimages were scaled down, by taking the "
-      "screen "
-      "for larger than it is, from 83⅓ to 80⅓ px; perhaps because the lenses are smaller than the advertised "
-      "1 mm.";
-  result.ours_shows = fmt::format(
-      "Sharpness peaks at the scale at which the light field converges where the panel is in focus. As "
-      "designed that is {}; "
-      "the printed {} needs lenses of {} mm, or equally well a panel at d_l = {} mm. From sharpness alone: "
-      "{} With nine lens "
-      "centres on the pixel grid: w_l = {} mm ± {} mm (true: {} mm), d_l = {} mm ± {} mm.",
-      format_number(sharpest_scale(geometry_of(nominal_values()), CalibrationInstrument{}, kTargetDepth_mm)),
-      format_number(kPrintedScale), format_number(smaller[index_of(P::kLensPitch)]),
-      format_number(nearer[index_of(P::kLensDistance)]), joined(fit_alone.uncertainty.open),
-      format_number(estimate(P::kLensPitch).value), format_number(estimate(P::kLensPitch).sd.value_or(0), 2),
-      format_number(smaller[index_of(P::kLensPitch)]), format_number(estimate(P::kLensDistance).value),
-      format_number(estimate(P::kLensDistance).sd.value_or(0), 2));
+      "screen for larger than it is, from 83⅓ to 80⅓ px; perhaps because the lenses are smaller than the "
+      "advertised 1 mm.";
+  result.ours_shows = ours_text(displays, fit_alone, fit_grid);
   result.differs = fit_alone.uncertainty.open.empty()
                        ? "Our sharpness readings told the two explanations apart, which we did not expect."
                        : "The thesis could not say which it was, and no one can from sharpness alone: both "
-                         "explanations give the same "
-                         "curve. The grid of appendix B would have decided it. The curve's shape and width "
-                         "are ours; the thesis prints none.";
-  result.add_plot("sharpness-over-scale",
-                  {plot,
-                   "Apparent sharpness over the screen scale for three displays; the last two curves "
-                   "lie on each other",
-                   "Peaks: one at 1, two at the printed scale on each other."});
+                         "explanations give the same curve. The grid of appendix B would have decided it. "
+                         "The curve's shape and width are ours; the thesis prints none.";
+  result.add_plot(
+      "sharpness-over-scale",
+      {scale_plot(displays),
+       "Apparent sharpness over the screen scale for three displays; the last two curves lie on each other",
+       "Peaks: one at 1, two at the printed scale on each other."});
   result.add_plot("open-directions", open_direction_plot(fit_alone));
   const WideDesign design = estimate_design();
   result.add_table(
-      wide_table(calibration_rows(with_grid, fit_grid), design.keys, design.columns,
+      wide_table(grid_rows, design.keys, design.columns,
                  "Sharpness and lens grid together, simulated on a display with smaller lenses"));
   return result;
 }
