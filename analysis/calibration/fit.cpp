@@ -35,6 +35,15 @@ bool within_reach(const T* x) {
   return true;
 }
 
+bool is_finite(double value) {
+  return std::isfinite(value);
+}
+
+template <int kSize>
+bool is_finite(const ceres::Jet<double, kSize>& value) {
+  return std::isfinite(value.a) && value.v.allFinite();
+}
+
 struct ResidualFunctor {
   const CalibrationMeasurements* measurements;
   const CalibrationCoordinates* coordinates;
@@ -43,9 +52,10 @@ struct ResidualFunctor {
 
   template <class T>
   bool operator()(const T* x, T* result) const {
-    if (!within_reach(x)) return false;  // a step too far is taken back
+    // False takes a step back that went too far, without a word of the solver about it.
+    if (!within_reach(x)) return false;
     result[0] = (prediction_of(residual, *measurements, coordinates->geometry(x)) - reading) / deviation;
-    return true;
+    return is_finite(result[0]);
   }
 };
 
@@ -95,6 +105,10 @@ SolvedStart solve_from(const ParameterValues& start, const CalibrationMeasuremen
                        const CalibrationCoordinates& coordinates, const CalibrationFitOptions& options) {
   SolvedStart solved;
   solved.x = start;
+  if (!whitened_jacobian(measurements, start).allFinite()) {
+    solved.message = "the model is not finite at the start";
+    return solved;
+  }
   ceres::Problem problem;
   build(problem, measurements, coordinates, options, solved.x.data());
   ceres::Solver::Options solver;

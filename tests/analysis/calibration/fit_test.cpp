@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/calibration/coordinates.h"
+#include "analysis/calibration/record_fields.h"
 #include "analysis/calibration/setups.h"
 #include "core/base/error.h"
 
@@ -223,6 +224,37 @@ TEST(CalibrationFitTest, OffsetsOfOneSignMoveBothEdgesTheSameWay) {
   }
   const CalibrationFit fit = fit_calibration(exact_measurements(rig));
   EXPECT_NEAR(estimate(fit, P::kOffsetX).value, 0.03, 1e-8);
+}
+
+TEST(CalibrationFitTest, ExtremeNumbersEndInFiniteResultsOrWithoutConvergence) {
+  const CalibrationMeasurements sound = simulate_measurements(full_rig(), 1);
+  int fits = 0;
+  const auto fit_with = [&](std::size_t record, std::size_t number, bool high) {
+    CalibrationMeasurements m = sound;
+    std::size_t at = 0;
+    std::visit(
+        [&](auto& r) {
+          for_each_number(r, [&](const RecordField& field, double& value) {
+            if (at++ == number) value = high ? field.high : field.low;
+          });
+        },
+        m.records[record]);
+    try {
+      m.validate("extreme");
+    } catch (const InputError&) {
+      return;
+    }
+    const CalibrationFit fit = fit_calibration(m, {.starts = 1, .max_iterations = 20});
+    ++fits;
+    if (!fit.converged) return;
+    for (const double value : fit.values)
+      EXPECT_TRUE(std::isfinite(value)) << record << ", number " << number;
+    EXPECT_TRUE(std::isfinite(fit.chi2)) << record << ", number " << number;
+  };
+  for (std::size_t record = 0; record < sound.records.size(); record += 3)
+    for (std::size_t number = 0; number < 6; ++number)
+      for (const bool high : {false, true}) fit_with(record, number, high);
+  EXPECT_GT(fits, 100);
 }
 
 TEST(CalibrationFitTest, OptionsOutOfRangeAreRefused) {
