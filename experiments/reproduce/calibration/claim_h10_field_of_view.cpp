@@ -16,7 +16,8 @@ ReproductionResult reproduce_field_of_view_conflict(Laboratory& laboratory);
 namespace {
 
 constexpr double kMeasured_deg = 19.86;
-constexpr double kClose = 0.05;  // the thesis says "close": ours
+constexpr double kPixelsPerSubimageUsed = 80 + 1.0 / 3;  // section 3.2.3
+constexpr double kClose = 0.05;                          // the thesis says "close": ours
 /// By what our deviations are multiplied to see what hangs on them.
 constexpr std::array kDeviationFactors{0.5, 1.0, 2.0};
 
@@ -96,6 +97,11 @@ void add_doubts(ReproductionResult& result, const std::string& caption,
   result.add_table(wide_table(doubt_rows(doubts), design.keys, design.columns, caption));
 }
 
+/// The lens distance that the measured angle needs with subimages of this width.
+double distance_for_angle_mm(double subimage_mm) {
+  return subimage_mm / (2 * std::tan(radians(kMeasured_deg) / 2));
+}
+
 std::string value_text(const DoubtedSource& doubt, CalibrationParameter parameter) {
   return format_number(doubt.fit.values[index_of(parameter)]);
 }
@@ -114,18 +120,21 @@ std::string ours_text(const std::vector<DoubtedSource>& two, const std::vector<D
   using P = CalibrationParameter;
   const DoubtedSource& focus = without(two, "focus");
   const LeftOutReading vergence = focus.left_out.empty() ? LeftOutReading{} : focus.left_out.front();
+  const double used_mm = kPixelsPerSubimageUsed * nominal_values()[index_of(P::kPixelPitch)];
   return fmt::format(
       "Angle and focus {} (p = {}). One of these alone would reconcile them: d_l = {} mm, and then the panel "
       "is sharp at {} dpt instead of {}; subimages of {} mm; a focal length of {} mm; a camera pupil {} mm "
       "farther than the 100 mm we take for its height. Appendix D asks for smaller subimages where the angle "
-      "asks for larger ones: with it, {}.",
+      "asks for larger ones: with it, {}. If the angle was measured with the subimages that were used in the "
+      "end, {} mm wide, it needs d_l = {} mm.",
       contradicts(two.front().fit) ? "contradict each other" : "agree",
       format_number(two.front().fit.p_value, 2), value_text(focus, P::kLensDistance),
       format_number(vergence.predicted, 3), format_number(vergence.measured, 3),
       format_number(without(two, "anchor of p").fit.values[index_of(P::kPixelPitch)] *
                     CalibrationInstrument{}.subimage_px),
       value_text(without(two, "anchor of f"), P::kFocalLength),
-      value_text(without(two, "anchor of pupil"), P::kPupilOffset), with_scaling_text(all));
+      value_text(without(two, "anchor of pupil"), P::kPupilOffset), with_scaling_text(all),
+      format_number(used_mm), format_number(distance_for_angle_mm(used_mm)));
 }
 
 std::string differs_text(bool contradiction) {

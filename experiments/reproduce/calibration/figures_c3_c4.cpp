@@ -67,9 +67,14 @@ Plot reading_plot(const CalibrationMeasurements& measurements) {
     near = std::min(near, r.virtual_depth_mm);
     far = std::max(far, r.virtual_depth_mm);
   }
-  for (const double edge : {-kHalfLens_mm, kHalfLens_mm})
-    plot.series.push_back(
-        {edge < 0 ? "edges of the lens" : "", PlotSeries::Style::kLines, {{near, edge}, {far, edge}}});
+  near *= 0.9, far *= 1.1;
+  plot.series.push_back({"edges of the lens",
+                         PlotSeries::Style::kLines,
+                         {{near, -kHalfLens_mm},
+                          {far, -kHalfLens_mm},
+                          {far, kHalfLens_mm},
+                          {near, kHalfLens_mm},
+                          {near, -kHalfLens_mm}}});
   plot.x = {.title = "Virtual depth of the targets", .unit = "mm", .logarithmic = true};
   plot.y = {.title = "Place where they appear", .unit = "mm", .minimum = -0.7, .maximum = 0.7};
   plot.key = KeyPosition::kOutside;
