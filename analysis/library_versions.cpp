@@ -1,6 +1,7 @@
 #include "analysis/library_versions.h"
 
 #include <OpenEXR/OpenEXRConfig.h>
+#include <ceres/version.h>
 #include <fmt/core.h>
 #include <tbb/version.h>
 #include <xxhash.h>
@@ -14,7 +15,8 @@ std::map<std::string, std::string> library_versions() {
   const auto dotted = [](unsigned version) {
     return fmt::format("{}.{}.{}", version / 10000, version / 100 % 100, version % 100);
   };
-  return {{"OpenCV", CV_VERSION},
+  return {{"Ceres Solver", CERES_VERSION_STRING},
+          {"OpenCV", CV_VERSION},
           {"OpenEXR", OPENEXR_VERSION_STRING},
           {"fmt", dotted(FMT_VERSION)},
           {"nlohmann-json", fmt::format("{}.{}.{}", NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR,

@@ -44,6 +44,13 @@ ReproductionResult reproduce_dark_floor(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t11(Laboratory& laboratory);
 ReproductionResult reproduce_pruning_tone_mapping(Laboratory& laboratory);
 ReproductionResult reproduce_claim_s1(Laboratory& laboratory);
+ReproductionResult reproduce_lens_grid(Laboratory& laboratory);
+ReproductionResult reproduce_angles_over_depth(Laboratory& laboratory);
+ReproductionResult reproduce_confirmed_field_of_view(Laboratory& laboratory);
+ReproductionResult reproduce_screen_scale(Laboratory& laboratory);
+ReproductionResult reproduce_field_of_view_conflict(Laboratory& laboratory);
+ReproductionResult reproduce_calibration_coverage(Laboratory& laboratory);
+ReproductionResult reproduce_calibration_stability(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_g3(Laboratory& laboratory);
@@ -205,6 +212,21 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kStudy, reproduce_study_planning},
       Reproduction{"hansen-run-time-test", "Section 5.1: the run times tested again", Chapter::kStudy,
                    reproduce_run_time_test},
+      Reproduction{"hansen-fig-b.1", "Figure B.1: lens grid against pixel grid", Chapter::kCalibration,
+                   reproduce_lens_grid},
+      Reproduction{"hansen-fig-c.3", "Figure C.3: what a wrong field of view does over depth",
+                   Chapter::kCalibration, reproduce_angles_over_depth},
+      Reproduction{"hansen-fig-c.4", "Figure C.4: how sharply two spheres confirm a field of view",
+                   Chapter::kCalibration, reproduce_confirmed_field_of_view},
+      Reproduction{"hansen-fig-d.1", "Figure D.1: sharpness over the screen scale", Chapter::kCalibration,
+                   reproduce_screen_scale},
+      Reproduction{"hansen-calibration-coverage", "Do intervals of the calibration hold the truth?",
+                   Chapter::kCalibration, reproduce_calibration_coverage},
+      Reproduction{"hansen-calibration-stability", "Calibration as the panel reaches the focal length",
+                   Chapter::kCalibration, reproduce_calibration_stability},
+      Reproduction{"hansen-fov-conflict",
+                   "Claim H-10: 17.28° calculated, 19.86° measured, smaller subimages sharp",
+                   Chapter::kCalibration, reproduce_field_of_view_conflict},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
