@@ -17,6 +17,7 @@ void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
+void add_session_command(CLI::App& app, const Invocation& invocation);
 void add_reproduce_command(CLI::App& app, const Invocation& invocation);
 
 std::span<const Command> commands() {
@@ -38,6 +39,8 @@ std::span<const Command> commands() {
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
               add_evaluate_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
+      Command{"session", "Participant sessions: run, resume, simulate, list and export them",
+              add_session_command},
       Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report",
               add_reproduce_command},
   };

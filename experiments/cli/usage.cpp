@@ -31,15 +31,27 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
+/// "session run" of a command below a command.
+std::string full_name(const CLI::App& command) {
+  const CLI::App* parent = command.get_parent();
+  const bool below_program = !parent || !parent->get_parent();
+  return below_program ? command.get_name() : full_name(*parent) + " " + command.get_name();
+}
+
 /// What the command was given but does not know; empty if it knows everything.
 std::string explain_unknown(const CLI::App& command) {
   const std::vector<std::string> unknown = command.remaining();
   const auto option = std::find_if(unknown.begin(), unknown.end(), is_option);
   if (option != unknown.end())
-    return fmt::format("'plenolab {}' has no option {}{}", command.get_name(), option_name(*option),
+    return fmt::format("'plenolab {}' has no option {}{}", full_name(command), option_name(*option),
                        did_you_mean(option_name(*option), option_names(command)));
+  std::vector<std::string> below;
+  for (const CLI::App* subcommand : command.get_subcommands({})) below.push_back(subcommand->get_name());
+  if (!unknown.empty() && !below.empty())
+    return fmt::format("there is no command '{} {}'{}", full_name(command), unknown.front(),
+                       did_you_mean(unknown.front(), below));
   if (!unknown.empty())
-    return fmt::format("'plenolab {}' does not take a further argument '{}'", command.get_name(),
+    return fmt::format("'plenolab {}' does not take a further argument '{}'", full_name(command),
                        unknown.front());
   return "";
 }
@@ -72,10 +84,11 @@ void require_known_command(const Invocation& invocation, std::span<const Command
 std::string explain(const CLI::App& program, const CLI::ParseError& error) {
   const auto chosen = program.get_subcommands();
   if (chosen.empty()) return error.what();
-  const CLI::App& command = *chosen.front();
-  std::string sentence = explain_unknown(command);
+  const CLI::App* command = chosen.front();
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
+  std::string sentence = explain_unknown(*command);
   if (sentence.empty()) sentence = explain_known(error);
-  return fmt::format("{} (see 'plenolab {} --help')", sentence, command.get_name());
+  return fmt::format("{} (see 'plenolab {} --help')", sentence, full_name(*command));
 }
 
 }  // namespace plenolab
