@@ -168,7 +168,6 @@ void Observer::see_page(const Picture& picture, std::int64_t t_us) {
 void Observer::begin_trial(const Picture& picture) {
   trial_ = picture.block + "/" + picture.image;
   page_.clear();
-  actions_.clear();
   step_ = 0;
   wrong_.reset();
   random_ = RandomStream(options_.seed, kTrialPurpose,
