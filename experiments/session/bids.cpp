@@ -35,7 +35,7 @@ void write_json(const fs::path& file, const Json& json) {
   write_text_file(file, json.dump(2) + "\n");
 }
 
-void write_description(const Study& study, const fs::path& out) {
+void write_description(const StudyDefinition& study, const fs::path& out) {
   write_json(out / "dataset_description.json",
              {{"Name", study.title},
               {"BIDSVersion", "1.8.0"},
@@ -50,7 +50,7 @@ void write_description(const Study& study, const fs::path& out) {
                   study.title));
 }
 
-std::vector<std::string> question_ids(const Study& study) {
+std::vector<std::string> question_ids(const StudyDefinition& study) {
   std::vector<std::string> ids;
   if (study.demographics.age) ids.push_back("age");
   if (study.demographics.sex) ids.push_back("sex");
@@ -59,7 +59,8 @@ std::vector<std::string> question_ids(const Study& study) {
   return ids;
 }
 
-void write_participants(std::span<const ExportedSession> sessions, const Study& study, const fs::path& out) {
+void write_participants(std::span<const ExportedSession> sessions, const StudyDefinition& study,
+                        const fs::path& out) {
   const std::vector<std::string> ids = question_ids(study);
   std::string text = "participant_id\tmode\torder\tstate\truns";
   for (const std::string& id : ids) text += fmt::format("\t{}", id);
@@ -156,7 +157,7 @@ std::string events_tsv(const ExportedSession& session, int position) {
 
 void write_bids(std::span<const ExportedSession> sessions, const fs::path& out) {
   if (sessions.empty()) return;
-  const Study& study = sessions.front().study;
+  const StudyDefinition& study = sessions.front().study;
   write_description(study, out);
   write_participants(sessions, study, out);
   write_sidecars(out);

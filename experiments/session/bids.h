@@ -10,7 +10,7 @@ namespace plenolab {
 /// A session as it is exported.
 struct ExportedSession {
   StoredSession stored;
-  Study study;
+  StudyDefinition study;
   SessionSummary summary;
 };
 

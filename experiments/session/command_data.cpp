@@ -29,7 +29,8 @@ void write_new_study(const NewOptions& options) {
   const fs::path folder = options.folder;
   if (fs::exists(folder) && !fs::is_empty(folder))
     throw InputError(fmt::format("{} is not empty: a study is never overwritten", folder.string()));
-  const Study study = options.images.empty() ? example_study() : study_of_images(options.images, folder);
+  const StudyDefinition study =
+      options.images.empty() ? example_study() : study_of_images(options.images, folder);
   if (options.images.empty()) write_example_images(folder);
   write_text_file(folder / "study.json", format_study(study));
   fmt::print(
@@ -74,7 +75,7 @@ SimulationOptions simulation_of(const SimulateOptions& options) {
 }
 
 /// Throws InputError if a probability is for an image or block that the study does not have.
-void require_known(const WrongProbabilities& wrong, const Study& study) {
+void require_known(const WrongProbabilities& wrong, const StudyDefinition& study) {
   for (const auto& entry : wrong) {
     bool known = false;
     for (const StudyBlock& block : study.blocks)
@@ -85,7 +86,8 @@ void require_known(const WrongProbabilities& wrong, const Study& study) {
   }
 }
 
-void add_wrong_rows(ResultTable& table, const Study& study, const std::vector<TrialRecord>& trials) {
+void add_wrong_rows(ResultTable& table, const StudyDefinition& study,
+                    const std::vector<TrialRecord>& trials) {
   for (const StudyBlock& block : study.blocks)
     for (const std::string& image : block.images) {
       int wrong = 0, count = 0;
@@ -98,7 +100,7 @@ void add_wrong_rows(ResultTable& table, const Study& study, const std::vector<Tr
 }
 
 void simulate(const Invocation& invocation, const SimulateOptions& options) {
-  const Study study = read_study(options.study);
+  const StudyDefinition study = read_study(options.study);
   SimulationOptions simulation = simulation_of(options);
   require_known(simulation.observer.wrong, study);
   Provenance provenance = begin_run(invocation, options.common);

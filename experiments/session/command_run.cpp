@@ -80,7 +80,7 @@ void run_on_screen(SessionStore& store, const fs::path& images, const StageOptio
 }
 
 /// The mode in which a study is run: a pilot study only as one, any study with --pilot as one.
-SessionMode mode_of(const Study& study, const RunOptions& options) {
+SessionMode mode_of(const StudyDefinition& study, const RunOptions& options) {
   if (study.mode == SessionMode::kPilot && !options.pilot)
     throw UsageError(
         "this study is in pilot mode: its sessions are no data; give --pilot to try it out, or set \"mode\" "
@@ -90,7 +90,7 @@ SessionMode mode_of(const Study& study, const RunOptions& options) {
 }
 
 void run_new(const RunOptions& options) {
-  const Study study = read_study(options.study);
+  const StudyDefinition study = read_study(options.study);
   const SessionMode mode = mode_of(study, options);
   require_trying_out(options.stage, mode);
   const fs::path sessions = sessions_folder(options.out, options.study);
@@ -143,7 +143,7 @@ bool agreed_to_resume(const StoredSession& stored) {
 }
 
 void resume(const ResumeOptions& options) {
-  const Study study = read_study(options.study);
+  const StudyDefinition study = read_study(options.study);
   const fs::path sessions = sessions_folder(options.out, options.study);
   const fs::path folder = sessions / session_to_resume(options, sessions);
   const StoredSession stored = read_session(folder);

@@ -104,8 +104,8 @@ StimulusFiles files_of(const std::string& name, bool monitor) {
 }
 
 /// Everything of a study but its images.
-Study frame_of_study() {
-  Study study;
+StudyDefinition frame_of_study() {
+  StudyDefinition study;
   study.title = "Light fields by pixel reprojection";
   study.consent = {
       "PLACEHOLDER: replace this text by the one your ethics board agreed to.\n\nYou will compare images for "
@@ -121,7 +121,7 @@ Study frame_of_study() {
 }
 
 /// Two blocks with all images and both orders.
-void add_blocks(Study& study, bool light_fields, int zoom) {
+void add_blocks(StudyDefinition& study, bool light_fields, int zoom) {
   std::vector<std::string> ids;
   for (const StudyImage& image : study.images) ids.push_back(image.id);
   if (light_fields) study.blocks.push_back({"headset", DisplayKind::kLightField, 0, 1, ids});
@@ -135,8 +135,8 @@ void add_blocks(Study& study, bool light_fields, int zoom) {
 
 }  // namespace
 
-Study example_study() {
-  Study study = frame_of_study();
+StudyDefinition example_study() {
+  StudyDefinition study = frame_of_study();
   for (const ExampleImage& image : kImages)
     study.images.push_back(
         {image.id, image.catch_trial, files_of(image.id, false), files_of(image.id, true)});
@@ -157,7 +157,7 @@ void write_example_images(const fs::path& folder) {
   }
 }
 
-Study study_of_images(const fs::path& images, const fs::path& folder) {
+StudyDefinition study_of_images(const fs::path& images, const fs::path& folder) {
   constexpr std::string_view kReference = "-reference.png", kMonitor = "-monitor";
   if (!fs::is_directory(images)) throw InputError(fmt::format("{} is no folder of images", images.string()));
   std::vector<std::string> names;
@@ -170,7 +170,7 @@ Study study_of_images(const fs::path& images, const fs::path& folder) {
   if (names.empty())
     throw InputError(fmt::format("{} holds no pair NAME-reference.png and NAME-test.png", images.string()));
   std::sort(names.begin(), names.end());
-  Study study = frame_of_study();
+  StudyDefinition study = frame_of_study();
   fs::create_directories(folder / "images");
   for (const std::string& name : names) {
     const bool own = fs::exists(images / (name + "-monitor-reference.png")) &&

@@ -37,7 +37,7 @@ std::vector<ExportedSession> collect(const fs::path& sessions, SessionMode mode,
     ++of_mode;
     try {
       StoredSession stored = read_session(folder);
-      const Study study = study_of(stored.identity);
+      const StudyDefinition study = study_of(stored.identity);
       SessionSummary summary = summarise(stored.identity, study, stored.events);
       if (summary.state == SessionState::kDeclined || summary.state == SessionState::kExcluded)
         counts.left_out.push_back(fmt::format("{}: {}", stored.identity.participant, name_of(summary.state)));

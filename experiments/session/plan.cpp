@@ -27,7 +27,7 @@ std::size_t uniform_below(RandomStream& random, std::size_t count) {
 
 }  // namespace
 
-SessionPlan plan_session(const Study& study, int number) {
+SessionPlan plan_session(const StudyDefinition& study, int number) {
   PLENOLAB_CHECK(number >= 1, std::to_string(number));
   const BlockOrder& order = study.orders[static_cast<std::size_t>(number - 1) % study.orders.size()];
   SessionPlan plan{order.name, {}};

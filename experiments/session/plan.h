@@ -30,6 +30,6 @@ struct SessionPlan {
 /// The plan of participant `number` ≥ 1: a pure function of study and number, so that a session goes on after
 /// any interruption exactly as it was planned. Blocks: orders in turn. Images of a block: a permutation, all
 /// equally likely. Side of the test image: left or right with equal chance, independent from trial to trial.
-SessionPlan plan_session(const Study& study, int number);
+SessionPlan plan_session(const StudyDefinition& study, int number);
 
 }  // namespace plenolab

@@ -86,14 +86,14 @@ bool answers_far_sighted(const std::string& answer) {
   return answer == kFarSighted;
 }
 
-FormQuestion instruction_page(const Study& study) {
+FormQuestion instruction_page(const StudyDefinition& study) {
   std::string text;
   for (const std::string& paragraph : study.instructions) text += (text.empty() ? "" : "\n\n") + paragraph;
   if (text.empty()) text = study.return_to_reference ? kInstructions : kInstructionsWithoutReturn;
   return message("instructions", text);
 }
 
-FormQuestion block_page(const Study& study, const StudyBlock& block, int position, int count) {
+FormQuestion block_page(const StudyDefinition& study, const StudyBlock& block, int position, int count) {
   const bool worn = block.display == DisplayKind::kLightField;
   std::string text = fmt::format("Part {} of {}: {}, {} trials.", position, count,
                                  worn ? "the light-field display" : "the monitor", block.images.size());
@@ -103,7 +103,7 @@ FormQuestion block_page(const Study& study, const StudyBlock& block, int positio
   return message("block_" + block.id, text);
 }
 
-std::vector<FormQuestion> closing_questions(const Study& study) {
+std::vector<FormQuestion> closing_questions(const StudyDefinition& study) {
   std::vector<FormQuestion> questions;
   for (const StudyQuestion& question : study.questionnaire) {
     if (question.choices.empty())

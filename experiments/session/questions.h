@@ -25,9 +25,9 @@ std::vector<FormQuestion> person_questions(const Demographics& asked);
 bool answers_far_sighted(const std::string& answer);
 
 /// How a trial goes, in the words of the study or in ours if it has none.
-FormQuestion instruction_page(const Study& study);
-FormQuestion block_page(const Study& study, const StudyBlock& block, int position, int count);
-std::vector<FormQuestion> closing_questions(const Study& study);
+FormQuestion instruction_page(const StudyDefinition& study);
+FormQuestion block_page(const StudyDefinition& study, const StudyBlock& block, int position, int count);
+std::vector<FormQuestion> closing_questions(const StudyDefinition& study);
 FormQuestion message(const std::string& id, const std::string& text);
 
 }  // namespace plenolab

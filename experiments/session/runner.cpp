@@ -191,7 +191,7 @@ class Session {
   SessionStore& store_;
   Stage& stage_;
   const RunnerOptions& options_;
-  Study study_;
+  StudyDefinition study_;
   SessionPlan plan_;
   std::vector<SessionEvent> events_;
   SessionSummary so_far_;

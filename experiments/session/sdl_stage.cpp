@@ -135,8 +135,8 @@ void SdlStage::measure_interval(DisplayReport& report) {
 void SdlStage::open_fonts() {
   if (font_) TTF_CloseFont(font_);
   if (small_font_) TTF_CloseFont(small_font_);
-  font_ = TTF_OpenFont(kFontFile, std::max(16, height_px_ / 26));
-  small_font_ = TTF_OpenFont(kFontFile, std::max(12, height_px_ / 42));
+  font_ = TTF_OpenFont(kFontFile, std::max(16, height_px_ / 24));
+  small_font_ = TTF_OpenFont(kFontFile, std::max(12, height_px_ / 40));
   if (!font_ || !small_font_) fail("cannot draw text (package fonts-dejavu-core)");
 }
 
@@ -216,7 +216,7 @@ int SdlStage::draw_text(const std::string& text, TTF_Font* font, int y, SDL_Colo
 void SdlStage::draw_page(const Picture& picture) {
   const FormPage& page = picture.page;
   draw_text(picture.banner, small_font_, height_px_ / 30, kMark);
-  int y = draw_text(page.text, font_, height_px_ / 8, kInk) + TTF_FontLineSkip(font_);
+  int y = draw_text(page.text, font_, height_px_ / 6, kInk) + TTF_FontLineSkip(font_);
   for (std::size_t i = 0; i < page.lines.size(); ++i) {
     const bool selected = static_cast<int>(i) == page.selected;
     y = draw_text(page.lines[i], font_, y, selected ? kMark : kInk, selected) + TTF_FontLineSkip(font_) / 3;

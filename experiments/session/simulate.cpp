@@ -12,7 +12,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-SessionStore open_or_create(const fs::path& sessions, const Study& study, int number, Durability durability) {
+SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& study, int number,
+                            Durability durability) {
   const SessionIdentity identity = new_identity(study, SessionMode::kSimulated, number);
   const fs::path folder = sessions / identity.participant;
   return holds_session(folder) ? SessionStore::open(folder, durability)
@@ -26,7 +27,7 @@ std::string note_of(const ObserverOptions& observer) {
 
 }  // namespace
 
-SessionIdentity new_identity(const Study& study, SessionMode mode, int number) {
+SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number) {
   const BuildInfo build = build_info();
   return {.participant = pseudonym(mode, number),
           .number = number,
@@ -38,7 +39,7 @@ SessionIdentity new_identity(const Study& study, SessionMode mode, int number) {
                                  build.dirty ? " (changed)" : "")};
 }
 
-void require_same_study(const fs::path& sessions, const Study& study, SessionMode mode) {
+void require_same_study(const fs::path& sessions, const StudyDefinition& study, SessionMode mode) {
   if (!fs::is_directory(sessions)) return;
   const std::string hash = study_hash(study);
   for (const fs::path& folder : session_folders(sessions)) {
@@ -58,7 +59,7 @@ void require_same_study(const fs::path& sessions, const Study& study, SessionMod
 
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {
-  const Study study = read_study(study_path);
+  const StudyDefinition study = read_study(study_path);
   require_same_study(sessions, study, SessionMode::kSimulated);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
   std::vector<TrialRecord> records;

@@ -29,9 +29,10 @@ std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
 
 /// Throws InputError if a session below `sessions` ran another study, or one of people shall be mixed with
 /// simulated ones.
-void require_same_study(const std::filesystem::path& sessions, const Study& study, SessionMode mode);
+void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
+                        SessionMode mode);
 
 /// A new session's identity with the next number of its mode.
-SessionIdentity new_identity(const Study& study, SessionMode mode, int number);
+SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number);
 
 }  // namespace plenolab

@@ -8,11 +8,11 @@ namespace plenolab {
 
 namespace {
 
-constexpr int kRefresh_hz = 60;
+constexpr std::int64_t kFrame_us = 16'667;  // whole, so that a repeated trial has the times it had before
 constexpr std::int64_t kLongestSession_us = 6LL * 3600 * 1'000'000;
 
 std::int64_t flip_time_us(std::int64_t frame) {
-  return frame * 1'000'000 / kRefresh_hz;
+  return frame * kFrame_us;
 }
 
 }  // namespace
@@ -22,7 +22,7 @@ SimulatedStage::SimulatedStage(ObserverOptions observer) : observer_(std::move(o
 }
 
 DisplayReport SimulatedStage::open_display(int screen) {
-  return {screen, "simulated", 1920, 1080, kRefresh_hz, true, 1000.0 / kRefresh_hz};
+  return {screen, "simulated", 1920, 1080, 1e6 / kFrame_us, true, 1e-3 * kFrame_us};
 }
 
 void SimulatedStage::load(const std::vector<Picture>& pictures) {

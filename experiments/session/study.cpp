@@ -96,13 +96,13 @@ DisplayKind display_of(const JsonReader& reader) {
   return DisplayKind::kMonitor;
 }
 
-void read_images(const JsonReader& root, Study& study, std::set<std::string>& ids) {
+void read_images(const JsonReader& root, StudyDefinition& study, std::set<std::string>& ids) {
   for (const JsonReader& reader : root.objects("images", kMostEntries))
     study.images.push_back(read_image(reader, ids));
   if (study.images.empty()) root.wrong("images", "must hold at least one");
 }
 
-void read_blocks(const JsonReader& root, Study& study, const std::set<std::string>& images,
+void read_blocks(const JsonReader& root, StudyDefinition& study, const std::set<std::string>& images,
                  std::set<std::string>& ids) {
   for (const JsonReader& reader : root.objects("blocks", kMostEntries)) {
     reader.allow_only({"id", "display", "screen", "zoom", "images"});
@@ -119,7 +119,7 @@ void read_blocks(const JsonReader& root, Study& study, const std::set<std::strin
   if (study.blocks.empty()) root.wrong("blocks", "must hold at least one");
 }
 
-void read_orders(const JsonReader& root, Study& study, const std::set<std::string>& blocks) {
+void read_orders(const JsonReader& root, StudyDefinition& study, const std::set<std::string>& blocks) {
   if (!root.has("orders")) {
     study.orders = {{"as-listed", {}}};
     for (const StudyBlock& block : study.blocks) study.orders[0].blocks.push_back(block.id);
@@ -175,7 +175,7 @@ SessionMode mode_of(const JsonReader& root) {
   return SessionMode::kPilot;
 }
 
-void read_settings(const JsonReader& root, Study& study) {
+void read_settings(const JsonReader& root, StudyDefinition& study) {
   study.title = root.text("title");
   study.mode = mode_of(root);
   study.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<int>::max()));
@@ -201,7 +201,7 @@ nlohmann::ordered_json image_json(const StudyImage& image) {
   return json;
 }
 
-nlohmann::ordered_json blocks_json(const Study& study) {
+nlohmann::ordered_json blocks_json(const StudyDefinition& study) {
   auto blocks = nlohmann::ordered_json::array();
   for (const StudyBlock& block : study.blocks)
     blocks.push_back({{"id", block.id},
@@ -212,7 +212,7 @@ nlohmann::ordered_json blocks_json(const Study& study) {
   return blocks;
 }
 
-nlohmann::ordered_json questionnaire_json(const Study& study) {
+nlohmann::ordered_json questionnaire_json(const StudyDefinition& study) {
   auto questions = nlohmann::ordered_json::array();
   for (const StudyQuestion& question : study.questionnaire) {
     questions.push_back({{"id", question.id}, {"text", question.text}});
@@ -231,21 +231,21 @@ const char* name_of(DisplayKind display) {
   return display == DisplayKind::kLightField ? "light-field" : "monitor";
 }
 
-const StudyImage& Study::image(const std::string& id) const {
+const StudyImage& StudyDefinition::image(const std::string& id) const {
   const auto found =
       std::find_if(images.begin(), images.end(), [&](const StudyImage& i) { return i.id == id; });
   PLENOLAB_CHECK(found != images.end(), id);
   return *found;
 }
 
-const StudyBlock& Study::block(const std::string& id) const {
+const StudyBlock& StudyDefinition::block(const std::string& id) const {
   const auto found =
       std::find_if(blocks.begin(), blocks.end(), [&](const StudyBlock& b) { return b.id == id; });
   PLENOLAB_CHECK(found != blocks.end(), id);
   return *found;
 }
 
-Study parse_study(std::string_view json, const std::string& name) {
+StudyDefinition parse_study(std::string_view json, const std::string& name) {
   const nlohmann::json document = parse_json(json, name, 8);
   const JsonReader root(document, name, "");
   if (root.text("format") != kFormatName) root.wrong("format", fmt::format("must be \"{}\"", kFormatName));
@@ -254,7 +254,7 @@ Study parse_study(std::string_view json, const std::string& name) {
   root.allow_only({"format", "version", "comment", "title", "mode", "seed", "blank_ms", "return_to_reference",
                    "text_screen", "instructions", "consent", "demographics", "images", "blocks", "orders",
                    "questionnaire"});
-  Study study;
+  StudyDefinition study;
   read_settings(root, study);
   study.consent = read_consent(root.object("consent"));
   if (root.has("demographics")) study.demographics = read_demographics(root.object("demographics"));
@@ -266,7 +266,7 @@ Study parse_study(std::string_view json, const std::string& name) {
   return study;
 }
 
-std::string format_study(const Study& study) {
+std::string format_study(const StudyDefinition& study) {
   nlohmann::ordered_json json{{"format", kFormatName},
                               {"version", kFormatVersion},
                               {"title", study.title},
@@ -293,7 +293,7 @@ std::string format_study(const Study& study) {
   return json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
 }
 
-std::string study_hash(const Study& study) {
+std::string study_hash(const StudyDefinition& study) {
   ContentHash hash;
   hash.add(format_study(study));
   return hash.hex();
@@ -308,9 +308,9 @@ fs::path study_folder(const fs::path& file_or_folder) {
   return folder.empty() ? fs::path(".") : folder;
 }
 
-Study read_study(const fs::path& file) {
+StudyDefinition read_study(const fs::path& file) {
   const fs::path path = study_file(file);
-  const Study study = parse_study(read_text_file(path, 4u << 20), path.string());
+  const StudyDefinition study = parse_study(read_text_file(path, 4u << 20), path.string());
   for (const StudyBlock& block : study.blocks)
     for (const std::string& id : block.images) {
       const StimulusFiles& files = study.image(id).on(block.display);

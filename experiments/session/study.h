@@ -84,7 +84,7 @@ struct Demographics {
 };
 
 /// A study as in its file, "plenolab-study" version 1 (experiments/session/README.md explains every key).
-struct Study {
+struct StudyDefinition {
   std::string title;
   SessionMode mode = SessionMode::kPilot;
   std::uint64_t seed = 1;                 ///< of all random orders
@@ -101,23 +101,23 @@ struct Study {
 
   const StudyImage& image(const std::string& id) const;  ///< the id must exist
   const StudyBlock& block(const std::string& id) const;  ///< the id must exist
-  friend bool operator==(const Study&, const Study&) = default;
+  friend bool operator==(const StudyDefinition&, const StudyDefinition&) = default;
 };
 
 /// Parses a study file; `name` stands for it in messages. Throws InputError with one sentence naming file and
 /// key for anything missing, unknown, out of range, used twice or referring to what is not there. Ids are 1
 /// to 32 letters, digits, '-' or '_'; image files stay in the study's folder.
-Study parse_study(std::string_view json, const std::string& name);
+StudyDefinition parse_study(std::string_view json, const std::string& name);
 
 /// The text of a study file, ending in a newline; parse_study gives the same study back.
-std::string format_study(const Study& study);
+std::string format_study(const StudyDefinition& study);
 
 /// Hash of everything in the study but its comments and layout: two sessions with the same hash ran the same
 /// study.
-std::string study_hash(const Study& study);
+std::string study_hash(const StudyDefinition& study);
 
 /// Reads FILE, or FILE/study.json if it is a folder. Throws InputError, also if an image file is missing.
-Study read_study(const std::filesystem::path& file);
+StudyDefinition read_study(const std::filesystem::path& file);
 
 /// The study file itself and its folder, where its images are.
 std::filesystem::path study_file(const std::filesystem::path& file_or_folder);

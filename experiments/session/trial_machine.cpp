@@ -39,7 +39,7 @@ TrialReaction TrialMachine::flipped(std::int64_t t_us) {
     on_since_us_ = t_us;
     if (began_at_us_ < 0) began_at_us_ = t_us;
     const std::int64_t black_us = on_ == Stimulus::kBlack ? 0 : t_us - black_since_us_;
-    reaction.onset = Shown{on_, t_us, black_us};
+    reaction.onset = Onset{on_, t_us, black_us};
     if (on_ == Stimulus::kBlack) black_since_us_ = t_us;
     seen_left_ = seen_left_ || on_ == Stimulus::kLeft;
     seen_right_ = seen_right_ || on_ == Stimulus::kRight;

@@ -37,7 +37,7 @@ struct TrialOptions {
 };
 
 /// How long an image or the black before it was on, from measured flips.
-struct Shown {
+struct Onset {
   Stimulus stimulus = Stimulus::kBlack;
   std::int64_t since_us = 0;         ///< the first flip that had it
   std::int64_t black_before_us = 0;  ///< how long it was black before
@@ -46,7 +46,7 @@ struct Shown {
 /// What the machine asks of its owner after an input.
 struct TrialReaction {
   std::optional<Stimulus> show;       ///< draw this; report the flip that shows it
-  std::optional<Shown> onset;         ///< this is on the display since then; to be stored
+  std::optional<Onset> onset;         ///< this is on the display since then; to be stored
   std::optional<PressOutcome> press;  ///< what came of the press; to be stored
   bool tone = false, vibrate = false;
 };

@@ -119,7 +119,7 @@ class TrialLoop {
   }
 
   // With what was measured while the thing before was on the display.
-  void store_onset(const Shown& shown) {
+  void store_onset(const Onset& shown) {
     const bool black = shown.stimulus == Stimulus::kBlack;
     const std::string more = black ? "" : fmt::format(R"("black_us":{})", shown.black_before_us);
     const std::string which = black                                    ? ""
@@ -155,8 +155,8 @@ const Picture& TrialScene::of(Stimulus stimulus) const {
                                             : right;
 }
 
-TrialScene trial_scene(const Study& study, const std::filesystem::path& images, const StudyBlock& block,
-                       const PlannedTrial& trial) {
+TrialScene trial_scene(const StudyDefinition& study, const std::filesystem::path& images,
+                       const StudyBlock& block, const PlannedTrial& trial) {
   const StimulusFiles& files = study.image(trial.image).on(block.display);
   TrialScene scene;
   scene.black.block = block.id;
@@ -192,10 +192,12 @@ std::string ask(Stage& stage, Recorder& recorder, const FormQuestion& question, 
       recorder.at(input.t_low_us, input.t_us);
       if (input.kind == RawInput::Kind::kClose) recorder.write("stopped");
       if (input.kind == RawInput::Kind::kClose) throw SessionStopped{};
-      if (is_key(input, "Escape")) confirm_stop(stage, recorder);
-      if (input.kind == RawInput::Kind::kText) form.type(input.name);
-      if (const auto press = form_press(input)) form.press(*press);
-      draw();
+      const bool escape = is_key(input, "Escape"), text = input.kind == RawInput::Kind::kText;
+      const auto press = form_press(input);
+      if (escape) confirm_stop(stage, recorder);
+      if (text) form.type(input.name);
+      if (press) form.press(*press);
+      if (escape || text || press) draw();
       if (form.done()) break;
     }
   }

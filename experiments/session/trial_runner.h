@@ -17,8 +17,8 @@ struct TrialScene {
 };
 
 /// The pictures of a planned trial.
-TrialScene trial_scene(const Study& study, const std::filesystem::path& images, const StudyBlock& block,
-                       const PlannedTrial& trial);
+TrialScene trial_scene(const StudyDefinition& study, const std::filesystem::path& images,
+                       const StudyBlock& block, const PlannedTrial& trial);
 
 /// What trials of a session share.
 struct TrialContext {

@@ -23,7 +23,7 @@ std::int64_t detail_number(const SessionEvent& event, const char* key) {
 /// Follows the events of one trial after the other.
 class TrialCollector {
  public:
-  TrialCollector(const SessionIdentity& identity, const Study& study, SessionSummary& summary)
+  TrialCollector(const SessionIdentity& identity, const StudyDefinition& study, SessionSummary& summary)
       : identity_(identity), study_(study), plan_(plan_session(study, identity.number)), summary_(summary) {
     for (const PlannedBlock& block : plan_.blocks)
       summary_.trials_planned += static_cast<int>(block.trials.size());
@@ -75,7 +75,7 @@ class TrialCollector {
   }
 
   const SessionIdentity& identity_;
-  const Study& study_;
+  const StudyDefinition& study_;
   SessionPlan plan_;
   SessionSummary& summary_;
   TrialRecord record_;
@@ -99,7 +99,7 @@ bool SessionSummary::completed(int position, int trial) const {
   });
 }
 
-SessionSummary summarise(const SessionIdentity& identity, const Study& study,
+SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition& study,
                          std::span<const SessionEvent> events) {
   SessionSummary summary;
   TrialCollector trials(identity, study, summary);
@@ -115,7 +115,7 @@ SessionSummary summarise(const SessionIdentity& identity, const Study& study,
   return summary;
 }
 
-Study study_of(const SessionIdentity& identity) {
+StudyDefinition study_of(const SessionIdentity& identity) {
   return parse_study(identity.study_json, "the study of session " + identity.participant);
 }
 

@@ -55,10 +55,10 @@ struct SessionSummary {
 };
 
 /// Derives everything from the events. `study` is the one the session was created with.
-SessionSummary summarise(const SessionIdentity& identity, const Study& study,
+SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition& study,
                          std::span<const SessionEvent> events);
 
 /// The study as stored in a session.
-Study study_of(const SessionIdentity& identity);
+StudyDefinition study_of(const SessionIdentity& identity);
 
 }  // namespace plenolab
