@@ -3,6 +3,8 @@
 #include <filesystem>
 #include <string>
 
+#include "experiments/session/store.h"
+
 namespace plenolab {
 
 /// A consent that was given. It is kept apart from all answers, in SESSIONS/consent/PSEUDONYM.json (0600),
@@ -17,8 +19,9 @@ struct ConsentRecord {
 /// Whether one was stored already: then it is neither asked for again nor touched.
 bool consent_exists(const std::filesystem::path& sessions, const std::string& participant);
 
-/// Stores a consent, on the disk when it returns. Throws InputError if there is one or the folder cannot be
-/// written.
-void store_consent(const std::filesystem::path& sessions, const ConsentRecord& consent);
+/// Stores a consent, as durable when it returns as asked. Throws InputError if there is one or the folder
+/// cannot be written.
+void store_consent(const std::filesystem::path& sessions, const ConsentRecord& consent,
+                   Durability durability);
 
 }  // namespace plenolab

@@ -94,7 +94,7 @@ class Session {
       if (minor) record.guardian_text = study_.consent.guardian_text;
       if (minor && !agrees("guardian_consent", "guardian", record.guardian_text, record.guardian_name))
         return declined();
-      store_consent(sessions, record);
+      store_consent(sessions, record, store_.durability());
     }
     recorder_.write("consent", "", "given");
     return true;

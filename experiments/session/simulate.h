@@ -14,7 +14,7 @@ struct SimulationOptions {
   int participants = 34;
   ObserverOptions observer;  ///< its `number` is set for each participant
   /// Every event is waited for as in a real session; otherwise it survives the end of the program but perhaps
-  /// not a power cut, which takes a tenth of the time.
+  /// not a power cut, which saves most of the time.
   Durability durability = Durability::kProcessEnd;
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
   std::function<void(double)> progress;               ///< share of participants done; may be empty

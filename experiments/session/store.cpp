@@ -143,7 +143,7 @@ struct SessionStore::Connection {
     if (database.value("PRAGMA journal_mode=WAL") != "wal")
       throw InputError(fmt::format("{}: this file system cannot keep a write-ahead log", file.string()));
     database.execute(durability == Durability::kPowerCut ? "PRAGMA synchronous=FULL"
-                                                         : "PRAGMA synchronous=NORMAL");
+                                                         : "PRAGMA synchronous=OFF");
     database.execute("BEGIN IMMEDIATE; COMMIT");  // takes the lock
   }
   SqliteDatabase database;
@@ -152,6 +152,7 @@ struct SessionStore::Connection {
 
 SessionStore::SessionStore(fs::path folder, Durability durability)
     : folder_(std::move(folder)),
+      durability_(durability),
       connection_(std::make_shared<Connection>(folder_ / kDatabaseFile, durability)) {
   require_private(folder_ / kDatabaseFile);
 }
@@ -162,12 +163,12 @@ SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentit
   const fs::path folder = sessions / identity.participant;
   if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
-  if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "");
+  if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
   if (holds_session(folder))
     throw InputError(fmt::format("{} exists: a session is never overwritten", folder.string()));
   SessionStore store(folder, durability);
   write_identity(store.connection_->database, identity);
-  sync_folder(sessions);
+  if (durability == Durability::kPowerCut) sync_folder(sessions);
   store.identity_ = identity;
   return store;
 }
@@ -282,7 +283,7 @@ void create_private_folder(const fs::path& folder) {
     throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), std::strerror(errno)));
 }
 
-void create_private_file(const fs::path& file, const std::string& text) {
+void create_private_file(const fs::path& file, const std::string& text, Durability durability) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   const auto failed = [&] {
     return InputError(fmt::format("cannot create {}: {}", file.string(), std::strerror(errno)));
@@ -294,6 +295,7 @@ void create_private_file(const fs::path& file, const std::string& text) {
     if (count < 0) throw failed();
     written += static_cast<std::size_t>(count);
   }
+  if (durability == Durability::kProcessEnd) return;
   sync(descriptor, file);
   sync_folder(file.parent_path());
 }

@@ -57,7 +57,8 @@ struct SessionEvent {
 /// How much is waited for.
 enum class Durability {
   kPowerCut,    ///< synchronous=FULL: every event survives a power cut
-  kProcessEnd,  ///< synchronous=NORMAL: survives the end of the program, for simulated participants
+  kProcessEnd,  ///< synchronous=OFF: survives the end of the program however it comes; for simulated
+                ///< participants
 };
 
 class SessionStore {
@@ -71,6 +72,7 @@ class SessionStore {
 
   const SessionIdentity& identity() const { return identity_; }
   const std::filesystem::path& folder() const { return folder_; }
+  Durability durability() const { return durability_; }
   /// Stores an event; on return it is on the disk. Sets its sequence number and wall clock. Throws InputError
   /// if the disk is full or fails: everything stored before is still there.
   void append(SessionEvent& event);
@@ -84,6 +86,7 @@ class SessionStore {
   SessionStore(std::filesystem::path folder, Durability durability);
 
   std::filesystem::path folder_;
+  Durability durability_;
   SessionIdentity identity_;
   std::shared_ptr<Connection> connection_;
 };
@@ -115,7 +118,7 @@ std::string utc_now();
 /// Creates a folder 0700 with those above it; one that exists stays as it is.
 void create_private_folder(const std::filesystem::path& folder);
 
-/// Writes a file 0600 that must not exist yet, and waits until it is on the disk.
-void create_private_file(const std::filesystem::path& file, const std::string& text);
+/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked.
+void create_private_file(const std::filesystem::path& file, const std::string& text, Durability durability);
 
 }  // namespace plenolab

@@ -112,7 +112,7 @@ TEST(Store, ACreationThatWasCutOffIsCompleted) {
   const Sessions sessions;
   create_private_folder(sessions.path / "real-001");
   EXPECT_FALSE(holds_session(sessions.path / "real-001"));
-  create_private_file(sessions.path / "real-001" / "session.db", "");
+  create_private_file(sessions.path / "real-001" / "session.db", "", Durability::kPowerCut);
   EXPECT_FALSE(holds_session(sessions.path / "real-001"));
   EXPECT_NE(message_of([&] { read_session(sessions.path / "real-001"); }).find("cut off"), std::string::npos);
   { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
@@ -122,7 +122,8 @@ TEST(Store, ACreationThatWasCutOffIsCompleted) {
 TEST(Store, DamagedFilesAreToldFromSessions) {
   const Sessions sessions;
   create_private_folder(sessions.path / "real-001");
-  create_private_file(sessions.path / "real-001" / "session.db", std::string(8192, 'x'));
+  create_private_file(sessions.path / "real-001" / "session.db", std::string(8192, 'x'),
+                      Durability::kPowerCut);
   EXPECT_NE(message_of([&] { read_session(sessions.path / "real-001"); }).find("damaged"), std::string::npos);
   EXPECT_NE(message_of([&] { read_session(sessions.path / "real-002"); }).find("is no session"),
             std::string::npos);
