@@ -36,7 +36,7 @@ struct PlotAxis {
 enum class KeyPosition { kTopRight, kTopLeft, kBottomRight, kBottomLeft, kOutside, kNone };
 
 /// A figure of points and lines, or of bars where `categories` is not empty: then every series has one point
-/// for each category, in order (x is not used), and bars stand side by side.
+/// for each category, in order (x is not used); bars stand side by side, series of kLines are lines across.
 struct Plot {
   std::string title;  ///< empty = none (captions of a report say it)
   PlotAxis x, y;

@@ -20,15 +20,30 @@ bool is_bar_chart(const Plot& plot) {
   return !plot.categories.empty();
 }
 
+/// Series of style kLines are lines across a bar chart, e.g. a limit; all others are its bars.
+bool is_line_across(const Plot& plot, const PlotSeries& series) {
+  return is_bar_chart(plot) && series.style == PlotSeries::Style::kLines;
+}
+
+/// Number of bars before this series in a category; of all for the number of series.
+std::size_t bars_before(const Plot& plot, std::size_t series) {
+  const auto first = plot.series.begin();
+  return series - static_cast<std::size_t>(
+                      std::count_if(first, first + static_cast<std::ptrdiff_t>(series),
+                                    [&](const PlotSeries& s) { return is_line_across(plot, s); }));
+}
+
 /// Bars stand at 1, 2, 3 …, those of one category side by side.
 double bar_width(const Plot& plot) {
-  return 0.8 / static_cast<double>(plot.series.size());
+  return 0.8 / static_cast<double>(std::max<std::size_t>(1, bars_before(plot, plot.series.size())));
 }
 
 double x_of(const Plot& plot, std::size_t series, std::size_t point) {
   if (!is_bar_chart(plot)) return plot.series[series].points[point].x;
-  const double middle = 0.5 * static_cast<double>(plot.series.size() - 1);
-  return static_cast<double>(point + 1) + (static_cast<double>(series) - middle) * bar_width(plot);
+  if (is_line_across(plot, plot.series[series])) return static_cast<double>(point + 1);
+  const double middle = 0.5 * static_cast<double>(bars_before(plot, plot.series.size()) - 1);
+  return static_cast<double>(point + 1) +
+         (static_cast<double>(bars_before(plot, series)) - middle) * bar_width(plot);
 }
 
 template <class Visit>
@@ -139,7 +154,7 @@ std::string series_commands(const Plot& plot, std::size_t index, PlotOutput outp
         index, bar_colour);
   }
   std::string body;
-  if (is_bar_chart(plot)) {
+  if (is_bar_chart(plot) && !is_line_across(plot, series)) {
     body = fmt::format("$series{} using 1:2 with boxes {} fillstyle solid 0.85 noborder {}", index, colour,
                        title);
     return text.empty() ? body : body + ", \\\n  " + text;
@@ -171,6 +186,8 @@ std::string plot_data_blocks(const Plot& plot) {
   std::string text, marks;
   for (std::size_t s = 0; s < plot.series.size(); ++s) {
     std::string values, bars;
+    const bool across = is_line_across(plot, plot.series[s]);
+    if (across) values += "0.4 " + shortest_number(plot.series[s].points.front().y) + "\n";
     for (std::size_t i = 0; i < plot.series[s].points.size(); ++i) {
       const PlotPoint& p = plot.series[s].points[i];
       const std::string line = shortest_number(x_of(plot, s, i)) + " " + shortest_number(p.y);
@@ -178,6 +195,9 @@ std::string plot_data_blocks(const Plot& plot) {
       if (p.y_low) bars += line + " " + shortest_number(*p.y_low) + " " + shortest_number(*p.y_high) + "\n";
       if (p.marked) marks += line + "\n";
     }
+    if (across)
+      values += shortest_number(static_cast<double>(plot.categories.size()) + 0.6) + " " +
+                shortest_number(plot.series[s].points.back().y) + "\n";
     text += block(fmt::format("series{}", s), values);
     if (!bars.empty()) text += block(fmt::format("bars{}", s), bars);
   }

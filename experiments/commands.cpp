@@ -18,6 +18,7 @@ void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_session_command(CLI::App& app, const Invocation& invocation);
+void add_analyse_command(CLI::App& app, const Invocation& invocation);
 void add_reproduce_command(CLI::App& app, const Invocation& invocation);
 
 std::span<const Command> commands() {
@@ -41,6 +42,7 @@ std::span<const Command> commands() {
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
       Command{"session", "Participant sessions: run, resume, simulate, list and export them",
               add_session_command},
+      Command{"analyse", "Statistics of sessions: tests, tables, fits, planning", add_analyse_command},
       Command{"reproduce", "Reproduce figures, tables and claims of the papers in a report",
               add_reproduce_command},
   };

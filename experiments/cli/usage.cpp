@@ -31,28 +31,41 @@ std::vector<std::string> option_names(const CLI::App& command) {
   return names;
 }
 
-/// "session run" of a command below a command.
-std::string full_name(const CLI::App& command) {
-  const CLI::App* parent = command.get_parent();
-  const bool below_program = !parent || !parent->get_parent();
-  return below_program ? command.get_name() : full_name(*parent) + " " + command.get_name();
+/// A command as it was typed: of a command with subcommands, the chosen one.
+struct ChosenCommand {
+  const CLI::App* app = nullptr;
+  std::string name;  ///< e.g. "analyse table"
+};
+
+ChosenCommand chosen_command(const CLI::App& program) {
+  ChosenCommand chosen{&program, ""};
+  for (auto next = program.get_subcommands(); !next.empty(); next = chosen.app->get_subcommands())
+    chosen = {next.front(), chosen.name + (chosen.name.empty() ? "" : " ") + next.front()->get_name()};
+  return chosen;
+}
+
+std::vector<std::string> subcommand_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* subcommand : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(subcommand->get_name());
+  return names;
 }
 
 /// What the command was given but does not know; empty if it knows everything.
-std::string explain_unknown(const CLI::App& command) {
-  const std::vector<std::string> unknown = command.remaining();
+std::string explain_unknown(const ChosenCommand& chosen) {
+  const std::vector<std::string> unknown = chosen.app->remaining();
   const auto option = std::find_if(unknown.begin(), unknown.end(), is_option);
   if (option != unknown.end())
-    return fmt::format("'plenolab {}' has no option {}{}", full_name(command), option_name(*option),
-                       did_you_mean(option_name(*option), option_names(command)));
-  std::vector<std::string> below;
-  for (const CLI::App* subcommand : command.get_subcommands({})) below.push_back(subcommand->get_name());
-  if (!unknown.empty() && !below.empty())
-    return fmt::format("there is no command '{} {}'{}", full_name(command), unknown.front(),
-                       did_you_mean(unknown.front(), below));
+    return fmt::format("'plenolab {}' has no option {}{}", chosen.name, option_name(*option),
+                       did_you_mean(option_name(*option), option_names(*chosen.app)));
+  const std::vector<std::string> subcommands = subcommand_names(*chosen.app);
+  if (!subcommands.empty())
+    return unknown.empty()
+               ? fmt::format("'plenolab {}': give one of {}", chosen.name, fmt::join(subcommands, ", "))
+               : fmt::format("'plenolab {}' has no '{}'{}", chosen.name, unknown.front(),
+                             did_you_mean(unknown.front(), subcommands));
   if (!unknown.empty())
-    return fmt::format("'plenolab {}' does not take a further argument '{}'", full_name(command),
-                       unknown.front());
+    return fmt::format("'plenolab {}' does not take a further argument '{}'", chosen.name, unknown.front());
   return "";
 }
 
@@ -82,13 +95,11 @@ void require_known_command(const Invocation& invocation, std::span<const Command
 }
 
 std::string explain(const CLI::App& program, const CLI::ParseError& error) {
-  const auto chosen = program.get_subcommands();
-  if (chosen.empty()) return error.what();
-  const CLI::App* command = chosen.front();
-  while (!command->get_subcommands().empty()) command = command->get_subcommands().front();
-  std::string sentence = explain_unknown(*command);
+  const ChosenCommand chosen = chosen_command(program);
+  if (chosen.app == &program) return error.what();
+  std::string sentence = explain_unknown(chosen);
   if (sentence.empty()) sentence = explain_known(error);
-  return fmt::format("{} (see 'plenolab {} --help')", sentence, full_name(*command));
+  return fmt::format("{} (see 'plenolab {} --help')", sentence, chosen.name);
 }
 
 }  // namespace plenolab

@@ -72,6 +72,13 @@ ReproductionResult reproduce_claim_t14(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_t3(Laboratory& laboratory);
 ReproductionResult reproduce_robust_operator(Laboratory& laboratory);
+ReproductionResult reproduce_study_table(Laboratory& laboratory);
+ReproductionResult reproduce_initial_study_table(Laboratory& laboratory);
+ReproductionResult reproduce_study_figure(Laboratory& laboratory);
+ReproductionResult reproduce_study_planning(Laboratory& laboratory);
+ReproductionResult reproduce_run_time_test(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_h13(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -143,6 +150,17 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kConsistency, reproduce_robust_operator},
       Reproduction{"adaptation-in-time", "Adaptation in time: frame rates, ramps and long steps",
                    Chapter::kConsistency, reproduce_adaptation_in_time},
+      Reproduction{"hansen-table-5.1", "Table 5.1: choices of 34 participants", Chapter::kStudy,
+                   reproduce_study_table},
+      Reproduction{"hansen-fig-5.2", "Figure 5.2 (figure 6 of the paper): choices and the critical number",
+                   Chapter::kStudy, reproduce_study_figure},
+      Reproduction{"hansen-table-e", "Appendix E: the initial experiment", Chapter::kStudy,
+                   reproduce_initial_study_table},
+      Reproduction{"study-planning",
+                   "Beyond the thesis: what the test can tell, and how many participants it takes",
+                   Chapter::kStudy, reproduce_study_planning},
+      Reproduction{"hansen-run-time-test", "Section 5.1: the run times tested again", Chapter::kStudy,
+                   reproduce_run_time_test},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},
@@ -213,6 +231,10 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"altmeier-claim-t13", "Claim A-T13: a denser grid makes outliers worse", Chapter::kClaims,
                    reproduce_claim_t13},
       Reproduction{"altmeier-claim-t14", "Claim A-T14: fast motion", Chapter::kClaims, reproduce_claim_t14},
+      Reproduction{"hansen-claim-h1", "Claim H-1: images 1 to 4 pass, image 5 fails", Chapter::kClaims,
+                   reproduce_claim_h1},
+      Reproduction{"hansen-claim-h13", "Claim H-13: the mean difference does not predict choices",
+                   Chapter::kClaims, reproduce_claim_h13},
       Reproduction{"altmeier-claim-s1", "Claim A-S1: which stages are interactive, which run in real time",
                    Chapter::kClaims, reproduce_claim_s1},
   };

@@ -130,7 +130,7 @@ TEST(SessionCommand, RefusesToMixPilotsWithData) {
                             "--window is for pilots", 2);
   EXPECT_FALSE(fs::exists(folder.path() / "real" / "sessions"));
   expect_one_clear_sentence(run_program({"session", "rum"}),
-                            "there is no command 'session rum'; did you mean 'run'?", 2);
+                            "'plenolab session' has no 'rum'; did you mean 'run'?", 2);
   expect_one_clear_sentence(run_program({"session", "run", "x", "--pilott"}),
                             "'plenolab session run' has no option --pilott; did you mean '--pilot'?", 2);
   expect_one_clear_sentence(run_program({"session", "simulate", folder.path() / "pilot", "--wrong", "one=2",

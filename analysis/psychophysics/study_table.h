@@ -1,0 +1,88 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/plot.h"
+#include "analysis/psychophysics/equivalence.h"
+#include "analysis/psychophysics/observer.h"
+#include "analysis/psychophysics/study_data.h"
+#include "analysis/result_table.h"
+
+namespace plenolab {
+
+/// The table of a study: one row for each image on each display, with everything that stands beside "passed"
+/// so that nobody reads more into it than it says. From counts or from the trials of sessions.
+
+struct StudyOptions {
+  double p_null = 0.19;  ///< rate that a pass refutes, in [0, 1)
+  double alpha = 0.05;
+  double confidence = 0.95;  ///< of the exact intervals
+  EquivalenceOptions equivalence;
+  /// True rates at which the power is stated; each in [0, 1].
+  std::vector<double> alternatives{0.25, 0.5};
+
+  /// Throws InputError naming the value out of range.
+  void validate() const;
+};
+
+struct StudyRow {
+  StudyCount count;
+  std::int64_t critical = 0;         ///< i_c; trials + 1: no count can pass
+  bool passed = false;               ///< hits ≥ i_c, and nothing else
+  double p_value = 1;                ///< P(X ≥ hits) at p_null
+  double log10_p = 0;                ///< also where p_value underflows
+  double p_holm = 1, p_bh = 1;       ///< adjusted over all rows of the study
+  Interval rate;                     ///< Clopper-Pearson
+  double posterior_above_null = 0;   ///< P(rate > p_null | count), uniform prior
+  std::vector<double> power;         ///< at the alternatives
+  double equivalence_p = 1;          ///< of the exact TOST
+  EquivalenceRegion equivalence;     ///< counts that show equivalence at this number of trials
+  std::optional<PositionBias> bias;  ///< of the row's trials; absent for counts
+
+  bool equivalent() const { return equivalence.contains(count.chose_test.hits); }
+};
+
+/// Behaviour on one display, or on all (display empty).
+struct ObserverSummary {
+  std::string display;
+  std::optional<PositionBias> bias;
+  std::optional<LapseEstimate> lapse;
+};
+
+struct Study {
+  StudyOptions options;
+  std::vector<StudyRow> rows;
+  std::vector<ObserverSummary> observers;  ///< displays in order, then all; empty for counts
+  double any_false_pass =
+      0;  ///< chance that at least one row passes if every true rate is p_null (independent)
+};
+
+/// Throws InputError for no counts or options out of range.
+Study analyse_counts(const std::vector<StudyCount>& counts, const StudyOptions& options = {});
+/// The same from trials; position bias and lapses come with it.
+Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& options = {});
+
+/// What the row says, in one sentence. "Indistinguishable" appears only where the equivalence test succeeded.
+std::string verdict_text(const StudyRow& row, const StudyOptions& options);
+/// Its two halves: what passing or failing says, and what is known about equivalence.
+std::string pass_text(const StudyRow& row, const StudyOptions& options);
+std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& options);
+/// "passed" or "failed".
+std::string verdict_word(const StudyRow& row);
+
+/// Long-form rows with the columns display and image: trials, chose_test, chose_test_rate and its _low and
+/// _high, critical_number, passed (1 or 0), p_value, log10_p, p_holm, p_benjamini_hochberg,
+/// posterior_above_null, power (column true_rate), equivalence_p, equivalent, equivalence_low_count and
+/// _high_count (absent where no count can), choice_left_rate, choice_left_p; with the column display alone
+/// (all displays: "all"): observer_left_rate, observer_left_p, catch_trials, catch_wrong_rate, lapse_rate,
+/// each with _low and _high; any_false_pass for the study. Column printed_verdict where there is one.
+ResultTable study_table(const Study& study);
+
+/// Share of choices of the test image by image, a bar for each display with its exact interval, and the line
+/// that must be reached to pass. Images that a display lacks have a bar of no height. `counts` draws numbers
+/// of participants instead of shares, as the paper does: only if all rows have as many trials.
+Plot study_plot(const Study& study, bool counts = false);
+
+}  // namespace plenolab

@@ -1,0 +1,199 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
+#include <memory>
+
+#include "analysis/psychophysics/beta_binomial.h"
+#include "analysis/psychophysics/study_table.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "experiments/analyse/analyse.h"
+#include "experiments/cli/checks.h"
+#include "experiments/cli/wide_table.h"
+
+namespace plenolab {
+
+namespace {
+
+struct TableOptions {
+  CommonOptions common;
+  TestOptions test;
+  std::string file, mode = "real", plot;
+  double confidence = 0.95;
+};
+
+TrialMode mode_of(const std::string& word) {
+  if (word == "pilot") return TrialMode::kPilot;
+  if (word == "simulated") return TrialMode::kSimulated;
+  return word == "all" ? TrialMode::kAll : TrialMode::kReal;
+}
+
+StudyOptions study_options(const TableOptions& options) {
+  StudyOptions study;
+  study.p_null = options.test.rate;
+  study.alpha = options.test.alpha;
+  study.confidence = options.confidence;
+  study.equivalence.margin = options.test.margin;
+  study.equivalence.alpha = options.test.alpha;
+  study.alternatives = parse_numbers(options.test.true_rates, "--true-rate", 0, 1);
+  return study;
+}
+
+/// What the participants did over all images of a display, one count each.
+std::map<std::string, std::vector<Proportion>> by_participant(const std::vector<StudyTrial>& trials) {
+  std::map<std::string, std::map<std::string, Proportion>> counts;
+  for (const StudyTrial& trial : trials) {
+    if (trial.is_catch) continue;
+    Proportion& count = counts[trial.display][trial.participant];
+    ++count.trials;
+    count.hits += trial.chose_test ? 1 : 0;
+  }
+  std::map<std::string, std::vector<Proportion>> result;
+  for (const auto& display : counts)
+    for (const auto& participant : display.second) result[display.first].push_back(participant.second);
+  return result;
+}
+
+void add_participants(ResultTable& table, const std::vector<StudyTrial>& trials, double confidence) {
+  for (const auto& display : by_participant(trials)) {
+    const BetaBinomialFit fit = fit_beta_binomial(display.second, confidence);
+    if (!fit.identified) continue;
+    const std::vector<std::pair<std::string, Cell>> columns{{"display", display.first}};
+    const auto add = [&](const std::string& quantity, double value) {
+      table.add({quantity, value, "1", columns});
+    };
+    add("overdispersion", fit.overdispersion.estimate);
+    add("overdispersion_low", fit.overdispersion.low);
+    add("overdispersion_high", fit.overdispersion.high);
+    add("overdispersion_p", fit.p_overdispersed);
+    add("design_effect", fit.design_effect);
+  }
+}
+
+std::vector<WideColumn> columns_for_people(const Study& study) {
+  std::vector<WideColumn> columns{{"trials", "n"},
+                                  {"chose_test", "k"},
+                                  {"chose_test_rate", "rate"},
+                                  {"chose_test_rate_low", "from"},
+                                  {"chose_test_rate_high", "to"},
+                                  {"critical_number", "to pass"},
+                                  {"p_value", "p"},
+                                  {"p_holm", "Holm"},
+                                  {"p_benjamini_hochberg", "BH"},
+                                  {"equivalence_p", "TOST p"}};
+  if (!study.observers.empty()) columns.push_back({"choice_left_rate", "chose left"});
+  return columns;
+}
+
+std::string printed(const StudyRow& row) {
+  const std::string& word = row.count.printed_verdict;
+  if (word.empty()) return "";
+  const bool agrees = (word == "PASSED") == row.passed;
+  return fmt::format(" Printed: {}{}", word, agrees ? "." : ", which the count contradicts.");
+}
+
+std::string observer_text(const ObserverSummary& observer) {
+  std::string text = observer.display.empty() ? "All displays:" : observer.display + ":";
+  if (observer.bias)
+    text += fmt::format(
+        " the left image was chosen in {:.1f} % ({:.1f} … {:.1f} %) of {} trials (p = {} for 50 %)",
+        100 * observer.bias->left.interval.estimate, 100 * observer.bias->left.interval.low,
+        100 * observer.bias->left.interval.high, observer.bias->left.count.trials,
+        format_number(observer.bias->p_value, 3));
+  if (observer.lapse)
+    text +=
+        fmt::format("; {} of {} catch trials were wrong: lapses in {:.1f} % ({:.1f} … {:.1f} %) of trials",
+                    observer.lapse->wrong.count.hits, observer.lapse->wrong.count.trials,
+                    100 * observer.lapse->lapse.estimate, 100 * observer.lapse->lapse.low,
+                    100 * observer.lapse->lapse.high);
+  else
+    text += "; there were no catch trials, so lapses are not known";
+  return text + ".";
+}
+
+void print_power(const Study& study) {
+  const StudyRow& row = study.rows.front();
+  for (std::size_t i = 0; i < row.power.size(); ++i)
+    fmt::print("Power: an image whose true rate is {:g} passes with probability {:.3f}.\n",
+               study.options.alternatives[i], row.power[i]);
+}
+
+/// Whether the same is to be said about the equivalence of all rows.
+bool one_equivalence_text(const Study& study) {
+  const std::string first = equivalence_text(study.rows.front(), study.options.equivalence);
+  return std::all_of(study.rows.begin(), study.rows.end(), [&](const StudyRow& row) {
+    return equivalence_text(row, study.options.equivalence) == first;
+  });
+}
+
+void print_verdicts(const Study& study) {
+  const bool once = one_equivalence_text(study);
+  for (const StudyRow& row : study.rows)
+    fmt::print("{} {}: {}{}\n", row.count.display, row.count.image,
+               once ? pass_text(row, study.options) + "." : verdict_text(row, study.options), printed(row));
+  fmt::print("\nPassing means only that a rate of {:g} is refuted (p < {:g}, each row by itself).\n",
+             study.options.p_null, study.options.alpha);
+  if (once) fmt::print("Equivalence: {}.\n", equivalence_text(study.rows.front(), study.options.equivalence));
+}
+
+void print_for_people(const Study& study, const ResultTable& table) {
+  fmt::print("{}\n", to_wide_text(table, {"display", "image"}, columns_for_people(study)));
+  print_verdicts(study);
+  print_power(study);
+  fmt::print(
+      "If every true rate were {:g}, at least one of the {} rows would pass with probability {:.3f}.\n",
+      study.options.p_null, study.rows.size(), study.any_false_pass);
+  for (const ObserverSummary& observer : study.observers) fmt::print("{}\n", observer_text(observer));
+  for (const ResultRow& row : table.rows())
+    if (row.quantity == "overdispersion")
+      fmt::print("{}: trials of one participant correlate with ρ = {:.3f}.\n",
+                 std::get<std::string>(row.columns.front().second), row.value);
+}
+
+void run_table(const Invocation& invocation, const TableOptions& options, bool mode_given) {
+  const StudyOptions study_with = study_options(options);
+  Provenance provenance = begin_run(invocation, options.common);
+  const CsvTable csv = parse_csv(read_text_file(options.file), options.file);
+  add_input(provenance, options.file);
+  if (mode_given && !holds_trials(csv))
+    throw UsageError(fmt::format("--mode is for trials; {} holds counts", options.file));
+  Study study;
+  ResultTable table;
+  if (holds_trials(csv)) {
+    const auto trials = trials_of_mode(parse_study_trials(csv), mode_of(options.mode));
+    study = analyse_trials(trials, study_with);
+    table = study_table(study);
+    add_participants(table, trials, options.confidence);
+  } else {
+    study = analyse_counts(parse_study_counts(csv), study_with);
+    table = study_table(study);
+  }
+  if (!output_is_for_programs(options.common)) print_for_people(study, table);
+  write_results(table, provenance, options.common);
+  if (!options.plot.empty()) write_plot_as(options.plot, study_plot(study), options.common);
+}
+
+}  // namespace
+
+void add_analyse_table(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<TableOptions>();
+  app.add_option("file", options->file,
+                 "Counts (columns display, image, n, k and, if known, verdict), or trials.csv of sessions")
+      ->required();
+  CLI::Option* mode =
+      app.add_option("--mode", options->mode, "Whose trials count: real, pilot, simulated or all")
+          ->capture_default_str()
+          ->check(one_of({"real", "pilot", "simulated", "all"}));
+  add_test_options(app, options->test);
+  app.add_option("--confidence", options->confidence, "Of the exact intervals")
+      ->capture_default_str()
+      ->check(number_between(0.5, 0.999999));
+  add_plot_option(app, options->plot);
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab analyse table counts.csv --plot results/choices");
+  app.callback([options, mode, &invocation] { run_table(invocation, *options, mode->count() > 0); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,202 @@
+// From files of counts and trials to the table of a study.
+#include <gtest/gtest.h>
+
+#include <functional>
+
+#include "analysis/psychophysics/study_table.h"
+#include "core/base/error.h"
+#include "tests/support/message_of.h"
+
+namespace plenolab {
+namespace {
+
+std::vector<StudyCount> counts_from(const std::string& text) {
+  return parse_study_counts(parse_csv(text, "counts.csv"));
+}
+
+std::vector<StudyTrial> trials_from(const std::string& rows) {
+  return parse_study_trials(parse_csv(
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n" +
+          rows,
+      "trials.csv"));
+}
+
+const std::string kTable51 =
+    "display,image,n,k,verdict\n"
+    "light-field,1,34,12,PASSED\nlight-field,2,34,21,PASSED\nlight-field,3,34,16,PASSED\n"
+    "light-field,4,34,15,PASSED\nlight-field,5,34,6,FAILED\n"
+    "monitor,1,34,19,PASSED\nmonitor,2,34,18,PASSED\nmonitor,3,34,11,PASSED\n"
+    "monitor,4,34,16,PASSED\nmonitor,5,34,6,FAILED\n";
+
+TEST(Csv, ReadsQuotesLineBreaksAndByteOrderMarks) {
+  const CsvTable table = parse_csv(
+      "\xEF\xBB\xBF"
+      "a,b\r\n\"x, \"\"y\"\"\",\"1\n2\"\r\n,3\n",
+      "t.csv");
+  EXPECT_EQ(table.columns, (std::vector<std::string>{"a", "b"}));
+  ASSERT_EQ(table.rows.size(), 2u);
+  EXPECT_EQ(table.rows[0].fields, (std::vector<std::string>{"x, \"y\"", "1\n2"}));
+  EXPECT_EQ(table.rows[1].line, 4);
+}
+
+TEST(Csv, RefusesWhatIsNotPlainlyRightWithItsLine) {
+  const auto message = [](const std::string& text) { return message_of([&] { parse_csv(text, "t.csv"); }); };
+  EXPECT_EQ(message("a,b\n1\n"), "t.csv, line 2: 1 fields instead of the 2 that the header names");
+  EXPECT_EQ(message("a,a\n1,2\n"), "t.csv, line 1: two columns are called 'a'");
+  EXPECT_EQ(message("a,\n1,2\n"), "t.csv, line 1: a column has no name");
+  EXPECT_EQ(message("a,b\n1,2\n\n3,4\n"), "t.csv, line 3: the line is empty");
+  EXPECT_EQ(message("a\n\"1\n"), "t.csv, line 3: a quote is never closed");
+  EXPECT_EQ(message("a\n1\"2\n"), "t.csv, line 2: a quote stands in the middle of a field");
+  EXPECT_EQ(message("a\n\"1\"2\n"), "t.csv, line 2: something stands behind a closing quote");
+  EXPECT_EQ(message("a\n1\r2\n"), "t.csv, line 2: a carriage return stands in the middle of a line");
+  EXPECT_EQ(message(""), "t.csv holds no rows below a header line");
+  EXPECT_EQ(message("a,b\n"), "t.csv holds no rows below a header line");
+  EXPECT_EQ(message(std::string("a\n\0", 3)), "t.csv, line 1: holds a NUL character: it is not a text file");
+}
+
+TEST(StudyCounts, RefuseFieldsThatCannotBe) {
+  const auto message = [](const std::string& rows) {
+    return message_of([&] { counts_from("display,image,n,k\n" + rows); });
+  };
+  EXPECT_EQ(message("m,1,34,35\n"), "counts.csv, line 2: 'k' must be a whole number from 0 to 34, not '35'");
+  EXPECT_EQ(message("m,1,34,1.5\n"),
+            "counts.csv, line 2: 'k' must be a whole number from 0 to 34, not '1.5'");
+  EXPECT_EQ(message("m,1,0,0\n"),
+            "counts.csv, line 2: 'n' must be a whole number from 1 to 1000000000, not '0'");
+  EXPECT_EQ(message("m,,34,3\n"), "counts.csv, line 2: 'image' is empty");
+  EXPECT_EQ(message("m,1,34,3\nm,1,34,4\n"), "counts.csv, line 3: image '1' on 'm' stands already in line 2");
+  EXPECT_EQ(message_of([] { counts_from("display,image,n\nm,1,34\n"); }),
+            "counts.csv has no column 'k': it has display, image, n");
+  EXPECT_EQ(message_of([] { counts_from("display,image,n,k,verdict\nm,1,34,3,passed?\n"); }),
+            "counts.csv, line 2: 'verdict' must be one of PASSED, FAILED, not 'passed?'");
+}
+
+TEST(StudyTrials, AreCountedWithoutCatchTrials) {
+  const auto trials = trials_from(
+      "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n"
+      "P1,real,b1,1,monitor,ab,2,cave,1,0,1,2.5,1,1,1,0\n"
+      "P2,real,b1,1,monitor,ab,1,cave,0,0,0,2.5,1,1,1,0\n"
+      "P2,pilot,b2,2,light-field,ab,1,cave,0,0,1,2.5,1,1,1,0\n");
+  const auto counts = count_choices(trials_of_mode(trials, TrialMode::kReal));
+  ASSERT_EQ(counts.size(), 1u);
+  EXPECT_EQ(counts[0].chose_test.hits, 1);
+  EXPECT_EQ(counts[0].chose_test.trials, 2);
+  EXPECT_EQ(counts[0].participants, 2);
+  EXPECT_EQ(count_choices(trials).size(), 2u);
+  EXPECT_EQ(message_of([&] { trials_of_mode(trials, TrialMode::kSimulated); }),
+            "no trial is of mode 'simulated': there are trials of mode pilot, real");
+}
+
+TEST(StudyTrials, RefuseATrialThatAParticipantHasTwice) {
+  EXPECT_EQ(message_of([] {
+              trials_from(
+                  "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n"
+                  "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n");
+            }),
+            "trials.csv, line 3: participant 'P1' has trial 1 of block 'b1' already in line 2");
+  EXPECT_EQ(message_of([] { trials_from("P1,reel,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n"); }),
+            "trials.csv, line 2: 'mode' must be one of real, pilot, simulated, not 'reel'");
+  EXPECT_EQ(message_of([] { trials_from("P1,real,b1,1,monitor,ab,1,cave,0,1,2,nan,1,1,1,0\n"); }),
+            "trials.csv, line 2: 'chose_test' must be 0 or 1, not '2'");
+  EXPECT_EQ(message_of([] { trials_from("P1,real,b1,1,monitor,ab,1,cave,0,1,1,nan,1,1,1,0\n"); }),
+            "trials.csv, line 2: 'response_s' must be a number from 0 to 86400, not 'nan'");
+}
+
+TEST(Observer, SideAndLapsesFollowFromWhatWasChosen) {
+  // Left is chosen when the test lies left and is chosen, or lies right and is not.
+  const auto trials = trials_from(
+      "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n"
+      "P1,real,b1,1,monitor,ab,2,cave,0,0,0,2.5,1,1,1,0\n"
+      "P1,real,b1,1,monitor,ab,3,cave,1,1,0,2.5,1,1,1,0\n"
+      "P1,real,b1,1,monitor,ab,4,cave,1,0,1,2.5,1,1,1,0\n");
+  const auto bias = position_bias(trials);
+  ASSERT_TRUE(bias);
+  EXPECT_EQ(bias->left.count.hits, 2);
+  EXPECT_EQ(bias->p_value, 1);
+  const auto lapse = lapse_rate(trials);
+  ASSERT_TRUE(lapse);
+  EXPECT_EQ(lapse->wrong.count.trials, 2);
+  EXPECT_EQ(lapse->lapse.estimate, 1);
+  EXPECT_LE(lapse->lapse.high, 1);
+  EXPECT_FALSE(position_bias({}));
+  EXPECT_FALSE(lapse_rate({trials[0]}));
+}
+
+TEST(StudyTable, RecomputesThePrintedVerdictsOfTable51) {
+  const Study study = analyse_counts(counts_from(kTable51));
+  for (const StudyRow& row : study.rows) {
+    EXPECT_EQ(row.critical, 11);
+    EXPECT_EQ(row.passed, row.count.printed_verdict == "PASSED") << row.count.display << row.count.image;
+    EXPECT_FALSE(row.equivalent());
+  }
+  EXPECT_NEAR(study.any_false_pass, 0.368783361003846, 1e-12);
+}
+
+TEST(StudyTable, SaysIndistinguishableOnlyAfterAnEquivalenceTest) {
+  for (const std::int64_t n : {1, 34, 40, 100, 1000})
+    for (const double margin : {0.05, 0.15, 0.3})
+      for (std::int64_t k = 0; k <= n; k += std::max<std::int64_t>(1, n / 50)) {
+        StudyOptions options;
+        options.equivalence.margin = margin;
+        const StudyRow row = analyse_counts({{"d", "i", {k, n}, 0, ""}}, options).rows[0];
+        const bool says = verdict_text(row, options).find("indistinguishable") != std::string::npos;
+        EXPECT_EQ(says, equivalence_p({k, n}, options.equivalence) < 0.05) << k << " of " << n;
+      }
+}
+
+TEST(StudyTable, SaysWhenNoCountCouldShowEquivalenceOrPass) {
+  const Study study = analyse_counts(counts_from(kTable51));
+  EXPECT_EQ(
+      verdict_text(study.rows[1], study.options),
+      "passed: 21 of 34 reach 11, so the rate is above 0.19 (p = 4.96e-08); no count of 34 trials could "
+      "show that the rate lies within 0.5 ± 0.15.");
+  StudyOptions strict;
+  strict.p_null = 0.9;
+  const Study hopeless = analyse_counts({{"d", "i", {3, 3}, 0, ""}}, strict);
+  EXPECT_FALSE(hopeless.rows[0].passed);
+  EXPECT_TRUE(verdict_text(hopeless.rows[0], strict).starts_with("failed: no count of 3 trials"));
+}
+
+TEST(StudyTable, SurvivesExtremeCounts) {
+  for (const double p_null : {0.0, 1e-12, 0.19, 1 - 1e-12}) {
+    StudyOptions options;
+    options.p_null = p_null;
+    const Study study = analyse_counts({{"d", "none", {0, 1'000'000'000}, 0, ""},
+                                        {"d", "all", {1'000'000'000, 1'000'000'000}, 0, ""},
+                                        {"d", "one", {1, 1}, 0, ""}},
+                                       options);
+    EXPECT_GT(study_table(study).rows().size(), 30u);  // add() throws for NaN
+    if (p_null < 0.5) {
+      EXPECT_LT(study.rows[1].p_value, 0.05);
+    }
+  }
+}
+
+TEST(StudyTable, RefusesOptionsOutOfRange) {
+  const auto with = [](const std::function<void(StudyOptions&)>& change) {
+    StudyOptions options;
+    change(options);
+    return message_of([&] { analyse_counts({{"d", "i", {1, 2}, 0, ""}}, options); });
+  };
+  EXPECT_EQ(with([](StudyOptions& o) { o.p_null = 1; }), "the tested rate is 1 but must lie in [0, 1)");
+  EXPECT_EQ(with([](StudyOptions& o) { o.alternatives = {2}; }), "the true rate 2 must lie in [0, 1]");
+  EXPECT_THROW(analyse_counts({}), InputError);
+}
+
+TEST(StudyPlot, HasABarForEachImageAndDisplayAndTheLineToReach) {
+  const Study study = analyse_counts(counts_from(kTable51));
+  const Plot plot = study_plot(study, true);
+  EXPECT_EQ(plot.categories.size(), 5u);
+  ASSERT_EQ(plot.series.size(), 4u);
+  EXPECT_EQ(plot.series[1].points[0].y, 19);
+  EXPECT_EQ(plot.series[2].points[0].y, 11);
+  EXPECT_EQ(plot.series[3].points[0].y, 17);
+  EXPECT_NO_THROW(plot_svg(plot));
+  const Study mixed = analyse_counts({{"d", "1", {1, 2}, 0, ""}, {"e", "2", {1, 3}, 0, ""}});
+  EXPECT_THROW(study_plot(mixed, true), InputError);
+  EXPECT_NO_THROW(study_plot(mixed).validate());
+}
+
+}  // namespace
+}  // namespace plenolab
