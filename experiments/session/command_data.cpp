@@ -198,9 +198,11 @@ void add_session_new(CLI::App& session, const Invocation&) {
   auto options = std::make_shared<NewOptions>();
   app.add_option("folder", options->folder, "Folder for the study, which must be empty or not exist")
       ->required();
-  app.add_option("--images", options->images,
-                 "Folder of pairs NAME-reference.png and NAME-test.png, and NAME-monitor-reference.png and "
-                 "NAME-monitor-test.png for the monitor (default: example images are drawn)")
+  app.add_option(
+         "--images", options->images,
+         "Image set of 'plenolab reproject --image-set', or folder of pairs NAME-reference.png and "
+         "NAME-test.png (for the monitor NAME-monitor-reference.png and -test.png; default: example images "
+         "are drawn)")
       ->check(not_empty());
   app.footer("Example: plenolab session new study");
   app.callback([options] { write_new_study(*options); });

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -11,6 +12,7 @@
 #include "experiments/session/runner.h"
 #include "experiments/session/sdl_stage.h"
 #include "experiments/session/simulate.h"
+#include "experiments/session/sqlite.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -103,13 +105,17 @@ void run_new(const RunOptions& options) {
   run_on_screen(store, study_folder(options.study), options.stage);
 }
 
+/// Sessions of people that were interrupted; those in use by another station are not.
 std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
   std::vector<std::string> names;
   for (const fs::path& folder : session_folders(sessions)) {
-    const StoredSession stored = read_session(folder);
-    const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
-    if (summary.state == SessionState::kInterrupted && stored.identity.mode != SessionMode::kSimulated)
-      names.push_back(stored.identity.participant);
+    try {
+      const StoredSession stored = read_session(folder);
+      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+      if (summary.state == SessionState::kInterrupted && stored.identity.mode != SessionMode::kSimulated)
+        names.push_back(stored.identity.participant);
+    } catch (const DatabaseInUse&) {
+    }
   }
   return names;
 }

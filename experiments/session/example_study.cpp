@@ -120,17 +120,57 @@ StudyDefinition frame_of_study() {
   return study;
 }
 
-/// Two blocks with all images and both orders.
-void add_blocks(StudyDefinition& study, bool light_fields, int zoom) {
+/// Two blocks with all images and both orders. The central subimage is small, so the monitor magnifies it;
+/// whole images are shown as they are.
+void add_blocks(StudyDefinition& study) {
   std::vector<std::string> ids;
+  int zoom = 8;
+  for (const StudyImage& image : study.images)
+    if (image.monitor == image.light_field) zoom = 1;
   for (const StudyImage& image : study.images) ids.push_back(image.id);
-  if (light_fields) study.blocks.push_back({"headset", DisplayKind::kLightField, 0, 1, ids});
-  study.blocks.push_back({"monitor", DisplayKind::kMonitor, 0, zoom, ids});
-  if (!light_fields) {
-    study.orders = {{"only", {"monitor"}}};
-    return;
-  }
+  study.blocks = {{"headset", DisplayKind::kLightField, 0, 1, ids},
+                  {"monitor", DisplayKind::kMonitor, 0, zoom, ids}};
   study.orders = {{"headset-first", {"headset", "monitor"}}, {"monitor-first", {"monitor", "headset"}}};
+}
+
+/// How the files of an image set end behind the name of an image.
+struct PairNames {
+  std::string_view reference, test, monitor_reference, monitor_test;
+};
+constexpr PairNames kReprojected{"-vc-panel.png", "-ic-panel.png", "-vc-centre.png", "-ic-centre.png"};
+constexpr PairNames kPairs{"-reference.png", "-test.png", "-monitor-reference.png", "-monitor-test.png"};
+
+/// Images of a folder whose files end like that, sorted by name; without files of its own the monitor shows
+/// those of the light-field display.
+std::vector<StudyImage> images_named(const fs::path& folder, const PairNames& names) {
+  std::vector<StudyImage> found;
+  const auto path = [](const std::string& name, std::string_view end) {
+    return fmt::format("images/{}{}", name, end);
+  };
+  const auto exists = [&](const std::string& file) { return fs::exists(folder / fs::path(file).filename()); };
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.ends_with(names.reference) || file.ends_with(names.monitor_reference)) continue;
+    const std::string name = file.substr(0, file.size() - names.reference.size());
+    const StimulusFiles panel{path(name, names.reference), path(name, names.test)};
+    const StimulusFiles monitor{path(name, names.monitor_reference), path(name, names.monitor_test)};
+    if (!exists(panel.test)) continue;
+    const bool own = exists(monitor.reference) && exists(monitor.test);
+    found.push_back({name, name.find("catch") != std::string::npos, panel, own ? monitor : panel});
+  }
+  std::sort(found.begin(), found.end(), [](const StudyImage& a, const StudyImage& b) { return a.id < b.id; });
+  return found;
+}
+
+/// Another image altogether is plainly different.
+void add_catch_trial(StudyDefinition& study) {
+  const auto is_catch = [](const StudyImage& image) { return image.catch_trial; };
+  if (study.images.size() < 2 || std::any_of(study.images.begin(), study.images.end(), is_catch)) return;
+  const StudyImage one = study.images[0], other = study.images[1];
+  study.images.push_back({"catch",
+                          true,
+                          {one.light_field.reference, other.light_field.reference},
+                          {one.monitor.reference, other.monitor.reference}});
 }
 
 }  // namespace
@@ -140,7 +180,7 @@ StudyDefinition example_study() {
   for (const ExampleImage& image : kImages)
     study.images.push_back(
         {image.id, image.catch_trial, files_of(image.id, false), files_of(image.id, true)});
-  add_blocks(study, true, 8);
+  add_blocks(study);
   return study;
 }
 
@@ -158,30 +198,22 @@ void write_example_images(const fs::path& folder) {
 }
 
 StudyDefinition study_of_images(const fs::path& images, const fs::path& folder) {
-  constexpr std::string_view kReference = "-reference.png", kMonitor = "-monitor";
   if (!fs::is_directory(images)) throw InputError(fmt::format("{} is no folder of images", images.string()));
-  std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(images)) {
-    const std::string file = entry.path().filename().string();
-    if (!file.ends_with(kReference)) continue;
-    const std::string name = file.substr(0, file.size() - kReference.size());
-    if (!name.ends_with(kMonitor) && fs::exists(images / (name + "-test.png"))) names.push_back(name);
-  }
-  if (names.empty())
-    throw InputError(fmt::format("{} holds no pair NAME-reference.png and NAME-test.png", images.string()));
-  std::sort(names.begin(), names.end());
   StudyDefinition study = frame_of_study();
+  for (const PairNames& names : {kReprojected, kPairs})
+    if (study.images.empty()) study.images = images_named(images, names);
+  if (study.images.empty())
+    throw InputError(fmt::format(
+        "{} holds neither pairs NAME-vc-panel.png and NAME-ic-panel.png nor pairs NAME-reference.png and "
+        "NAME-test.png",
+        images.string()));
+  add_catch_trial(study);
   fs::create_directories(folder / "images");
-  for (const std::string& name : names) {
-    const bool own = fs::exists(images / (name + "-monitor-reference.png")) &&
-                     fs::exists(images / (name + "-monitor-test.png"));
-    study.images.push_back(
-        {name, name.find("catch") != std::string::npos, files_of(name, false), files_of(name, own)});
-    for (const StimulusFiles& files : {study.images.back().light_field, study.images.back().monitor})
+  for (const StudyImage& image : study.images)
+    for (const StimulusFiles& files : {image.light_field, image.monitor})
       for (const std::string& file : {files.reference, files.test})
         fs::copy_file(images / fs::path(file).filename(), folder / file, fs::copy_options::skip_existing);
-  }
-  add_blocks(study, true, 8);
+  add_blocks(study);
   return parse_study(format_study(study), images.string());  // names that are no ids are told here
 }
 

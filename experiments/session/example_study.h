@@ -17,9 +17,12 @@ StudyDefinition example_study();
 /// holes of reprojection look.
 void write_example_images(const std::filesystem::path& folder);
 
-/// The study of an image set: pairs NAME-reference.png and NAME-test.png in `images`, and for the monitor
-/// NAME-monitor-reference.png and NAME-monitor-test.png where they are. Copies them into `folder`/images.
-/// Throws InputError if there is no pair.
+/// The study of an image set, which is copied into `folder`/images. Either that of `plenolab reproject
+/// --image-set` (NAME-vc-panel.png against NAME-ic-panel.png on the light-field display, NAME-vc-centre.png
+/// against NAME-ic-centre.png on the monitor), or pairs NAME-reference.png and NAME-test.png for the
+/// light-field display, with NAME-monitor-reference.png and NAME-monitor-test.png for the monitor where they
+/// are. Names with "catch" are catch trials; without any, one is made that offers the second image's
+/// reference against the first's. Throws InputError if there is no pair.
 StudyDefinition study_of_images(const std::filesystem::path& images, const std::filesystem::path& folder);
 
 }  // namespace plenolab

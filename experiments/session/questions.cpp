@@ -20,8 +20,8 @@ std::string minor_choice(const ConsentText& consent) {
 constexpr const char* kInstructions =
     "You will see a reference image and then two other images. One of the two is equal to the reference: "
     "find it.\n\n"
-    "A, B, X or Y: reference     (keyboard: space bar)\n"
-    "Left or right trigger: one of the two images     (left or right arrow)\n"
+    "A, B, X or Y: reference     (space bar)\n"
+    "Left or right trigger: one of the two     (left or right arrow)\n"
     "Both bumpers: choose the image you see     (Return)\n\n"
     "Look at all of them as often as you like. The display is black when a trial begins, and for a moment at "
     "every change. The reference itself cannot be chosen.";
@@ -29,8 +29,8 @@ constexpr const char* kInstructions =
 constexpr const char* kInstructionsWithoutReturn =
     "You will see a reference image and then two other images. One of the two is equal to the reference: "
     "find it.\n\n"
-    "A, B, X or Y: reference     (keyboard: space bar)\n"
-    "Left or right trigger: one of the two images     (left or right arrow)\n"
+    "A, B, X or Y: reference     (space bar)\n"
+    "Left or right trigger: one of the two     (left or right arrow)\n"
     "Both bumpers: choose the image you see     (Return)\n\n"
     "Look well at the reference: it does not come back once you have seen one of the two images.";
 

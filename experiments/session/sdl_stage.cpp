@@ -198,7 +198,7 @@ void SdlStage::draw_image(const Picture& picture) {
 int SdlStage::draw_text(const std::string& text, TTF_Font* font, int y, SDL_Color colour, bool boxed) {
   if (text.empty()) return y + TTF_FontLineSkip(font);
   TTF_SetFontWrappedAlign(font, TTF_WRAPPED_ALIGN_CENTER);
-  const auto wrap = static_cast<Uint32>(width_px_ * 7 / 10);
+  const auto wrap = static_cast<Uint32>(width_px_ * 8 / 10);
   SDL_Surface* surface = TTF_RenderUTF8_Blended_Wrapped(font, text.c_str(), colour, wrap);
   if (!surface) fail("cannot draw text");
   const Texture texture(SDL_CreateTextureFromSurface(renderer_.get(), surface));

@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "experiments/session/runner.h"
 #include "experiments/session/simulated_stage.h"
+#include "experiments/session/sqlite.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -18,6 +19,15 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
   const fs::path folder = sessions / identity.participant;
   return holds_session(folder) ? SessionStore::open(folder, durability)
                                : SessionStore::create(sessions, identity, durability);
+}
+
+/// The study that a session ran; none if another station is just running it.
+std::optional<std::string> hash_in(const fs::path& folder) {
+  try {
+    return read_session(folder).identity.study_hash;
+  } catch (const DatabaseInUse&) {
+    return std::nullopt;
+  }
 }
 
 std::string note_of(const ObserverOptions& observer) {
@@ -49,8 +59,7 @@ void require_same_study(const fs::path& sessions, const StudyDefinition& study, 
       throw InputError(fmt::format("{} holds {} sessions: keep {} ones in a folder of their own (-o)",
                                    sessions.string(), simulated ? "simulated" : "real or pilot",
                                    name_of(mode)));
-    const SessionIdentity identity = read_session(folder).identity;
-    if (identity.study_hash != hash)
+    if (hash_in(folder).value_or(hash) != hash)
       throw InputError(fmt::format(
           "{} ran another version of the study: keep sessions of this one in a folder of their own (-o)",
           folder.string()));

@@ -27,8 +27,8 @@ std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
                                         const std::filesystem::path& sessions,
                                         const SimulationOptions& options);
 
-/// Throws InputError if a session below `sessions` ran another study, or one of people shall be mixed with
-/// simulated ones.
+/// Sessions that another station is just running are taken on trust. Throws InputError if a session below
+/// `sessions` ran another study, or one of people shall be mixed with simulated ones.
 void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
                         SessionMode mode);
 

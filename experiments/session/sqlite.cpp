@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "core/base/error.h"
-
 namespace plenolab {
 
 namespace {
@@ -11,7 +9,7 @@ namespace {
 [[noreturn]] void fail(sqlite3* database, const std::string& name) {
   const int code = sqlite3_errcode(database);
   if (code == SQLITE_BUSY)
-    throw InputError(fmt::format("{} is in use by another program: let that one end first", name));
+    throw DatabaseInUse(fmt::format("{} is in use by another program: let that one end first", name));
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     throw InputError(fmt::format("{} is damaged or no database: {}", name, sqlite3_errmsg(database)));
   throw InputError(fmt::format("{}: {}", name, sqlite3_errmsg(database)));

@@ -7,7 +7,15 @@
 #include <memory>
 #include <string>
 
+#include "core/base/error.h"
+
 namespace plenolab {
+
+/// The database is locked by another program, or by another connection of this one.
+class DatabaseInUse : public InputError {
+ public:
+  using InputError::InputError;
+};
 
 /// A prepared statement of SqliteDatabase.
 class SqliteStatement {

@@ -140,10 +140,10 @@ struct SessionStore::Connection {
       : database(file, SqliteDatabase::Access::kReadWrite) {
     // Exclusive locking keeps the WAL index in memory, and everybody else out until the connection closes.
     database.execute("PRAGMA locking_mode=EXCLUSIVE");
-    if (database.value("PRAGMA journal_mode=WAL") != "wal")
-      throw InputError(fmt::format("{}: this file system cannot keep a write-ahead log", file.string()));
     database.execute(durability == Durability::kPowerCut ? "PRAGMA synchronous=FULL"
                                                          : "PRAGMA synchronous=OFF");
+    if (database.value("PRAGMA journal_mode=WAL") != "wal")
+      throw InputError(fmt::format("{}: this file system cannot keep a write-ahead log", file.string()));
     database.execute("BEGIN IMMEDIATE; COMMIT");  // takes the lock
   }
   SqliteDatabase database;

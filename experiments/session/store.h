@@ -100,7 +100,7 @@ struct StoredSession {
   std::vector<SessionEvent> events;
 };
 
-/// Throws InputError if the session is damaged or open in another program.
+/// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
 StoredSession read_session(const std::filesystem::path& folder);
 
 /// Folders of all sessions below a data folder, sorted by name. Throws InputError if there is no such folder.

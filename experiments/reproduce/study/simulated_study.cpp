@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <tuple>
 
 #include "analysis/timing.h"
 #include "core/base/file.h"
@@ -102,13 +103,19 @@ SimulatedStudy simulate(std::uint64_t seed) {
   result.counts = export_sessions(sessions, SessionMode::kSimulated, out);
   measure_black(sessions, result);
   const CsvTable table = parse_csv(read_text_file(out / "trials.csv"), "trials.csv");
-  result.analysed = analyse_trials(parse_study_trials(table), published_options());
+  std::vector<StudyTrial> trials = parse_study_trials(table);
+  // Rows come in the order of first appearance, which was random.
+  std::stable_sort(trials.begin(), trials.end(), [](const StudyTrial& a, const StudyTrial& b) {
+    return std::tie(a.display, a.image) < std::tie(b.display, b.image);
+  });
+  result.analysed = analyse_trials(trials, published_options());
   return result;
 }
 
 struct Recovery {
   int rows = 0, within = 0;  ///< true rate inside the exact interval
   int right = 0;             ///< verdict that the true rate deserves
+  std::string undeserved;    ///< the others, e.g. "Image-3 on monitor (failed with 9 of 34, true rate 0.324)"
 };
 
 Recovery recovery_of(const SimulatedStudy& simulated) {
@@ -117,7 +124,13 @@ Recovery recovery_of(const SimulatedStudy& simulated) {
     const double rate = simulated.rates.at(row.count.display + "/" + row.count.image);
     ++recovery.rows;
     recovery.within += row.rate.low <= rate && rate <= row.rate.high ? 1 : 0;
-    recovery.right += row.passed == (rate > simulated.analysed.options.p_null) ? 1 : 0;
+    const bool right = row.passed == (rate > simulated.analysed.options.p_null);
+    recovery.right += right ? 1 : 0;
+    if (!right)
+      recovery.undeserved +=
+          fmt::format("{}{} on {} ({} with {} of {}, true rate {:.3f})",
+                      recovery.undeserved.empty() ? "" : ", ", row.count.image, row.count.display,
+                      verdict_word(row), row.count.chose_test.hits, row.count.chose_test.trials, rate);
   }
   return recovery;
 }
@@ -154,9 +167,10 @@ ReproductionResult reproduce_simulated_study(Laboratory& laboratory) {
       "analysed, "
       "{} of {} true rates lie in their exact 95 % intervals, and {} of {} images get the verdict that their "
       "true "
-      "rate deserves. The display was black for at least {:.0f} ms before each of the {} images.",
+      "rate deserves{}. The display was black for at least {:.0f} ms before each of the {} images.",
       simulated.counts.done, simulated.counts.trials, simulated.counts.events, simulated.seconds,
       recovery.within, recovery.rows, recovery.right, recovery.rows,
+      recovery.undeserved.empty() ? "" : ", all but " + recovery.undeserved,
       static_cast<double>(simulated.shortest_black_us) * 1e-3, simulated.images_shown);
   result.differs = fmt::format(
       "{} Orders of blocks take turns here, where the thesis always began with the light-field display; a "

@@ -73,7 +73,7 @@ void expect_sound(const fs::path& session, std::int64_t acknowledged) {
 /// PLENOLAB_KILLS sets another number of kills (scripts/kill-session.sh).
 int kills_wanted() {
   const char* wanted = std::getenv("PLENOLAB_KILLS");
-  return wanted ? std::atoi(wanted) : 24;
+  return wanted ? std::atoi(wanted) : 10;
 }
 
 TEST(KilledSession, KeepsEveryAcknowledgedEventAndGoesOnAsIfNothingHadHappened) {

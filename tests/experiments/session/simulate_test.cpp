@@ -56,34 +56,34 @@ TEST(Simulation, TheIdealObserverIsNeverWrong) {
 
 // Every bound below is five standard deviations of the binomial distribution.
 TEST(Simulation, GivenProbabilitiesComeBack) {
-  const Simulated simulated(with(ObserverKind::kIdeal, 200, {{"one", 0.3}, {"monitor/two", 0.6}}));
+  const Simulated simulated(with(ObserverKind::kIdeal, 80, {{"one", 0.3}, {"monitor/two", 0.6}}));
   const auto share = [&](const std::string& block, const std::string& image) {
     int wrong = 0;
     for (const TrialRecord& t : simulated.trials)
       wrong += t.block == block && t.image == image && t.chose_test;
-    return wrong / 200.0;
+    return wrong / 80.0;
   };
-  EXPECT_NEAR(share("headset", "one"), 0.3, 5 * std::sqrt(0.3 * 0.7 / 200));
-  EXPECT_NEAR(share("monitor", "one"), 0.3, 5 * std::sqrt(0.3 * 0.7 / 200));
-  EXPECT_NEAR(share("monitor", "two"), 0.6, 5 * std::sqrt(0.6 * 0.4 / 200));
+  EXPECT_NEAR(share("headset", "one"), 0.3, 5 * std::sqrt(0.3 * 0.7 / 80));
+  EXPECT_NEAR(share("monitor", "one"), 0.3, 5 * std::sqrt(0.3 * 0.7 / 80));
+  EXPECT_NEAR(share("monitor", "two"), 0.6, 5 * std::sqrt(0.6 * 0.4 / 80));
   EXPECT_EQ(share("headset", "two"), 0);
   EXPECT_EQ(share("headset", "odd"), 0);
 }
 
 TEST(Simulation, GuessingObserversAreWrongHalfTheTimeAlsoOnCatchTrials) {
-  const Simulated simulated(with(ObserverKind::kGuessing, 60));
-  EXPECT_NEAR(simulated.share(kWrong), 0.5, 5 * std::sqrt(0.25 / 360));
+  const Simulated simulated(with(ObserverKind::kGuessing, 30));
+  EXPECT_NEAR(simulated.share(kWrong), 0.5, 5 * std::sqrt(0.25 / 180));
   EXPECT_GT(simulated.share([](const TrialRecord& t) { return t.catch_trial && t.chose_test; }), 0);
 }
 
 TEST(Simulation, LapsingObserversAreWrongInHalfOfTheirLapses) {
-  SimulationOptions options = with(ObserverKind::kLapsing, 100);
+  SimulationOptions options = with(ObserverKind::kLapsing, 50);
   options.observer.rate = 0.4;
-  EXPECT_NEAR(Simulated(options).share(kWrong), 0.2, 5 * std::sqrt(0.2 * 0.8 / 600));
+  EXPECT_NEAR(Simulated(options).share(kWrong), 0.2, 5 * std::sqrt(0.2 * 0.8 / 300));
 }
 
 TEST(Simulation, BiasedObserversTakeTheLeftImage) {
-  SimulationOptions options = with(ObserverKind::kPositionBiased, 60);
+  SimulationOptions options = with(ObserverKind::kPositionBiased, 10);
   options.observer.rate = 1;
   const Simulated simulated(options);
   EXPECT_EQ(simulated.share([](const TrialRecord& t) { return t.chose_test == t.test_first; }), 1);

@@ -1,11 +1,14 @@
 #include "experiments/session/study.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/io/image_file.h"
 #include "experiments/session/example_study.h"
 #include "experiments/session/plan.h"
 #include "tests/support/message_of.h"
@@ -60,6 +63,26 @@ TEST(Study, EveryMistakeIsToldInOneSentenceWithItsKey) {
   expect_refused(replaced("\"headset\",\n        \"monitor\"", "\"headset\",\n        \"headset\""), "twice");
   expect_refused(replaced("\"version\": 1", "\"version\": 2"), "knows no other");
   expect_refused(std::string(100'000, '['), "nested too deeply");
+}
+
+TEST(Study, IsMadeOfTheImageSetOfReproject) {
+  const TemporaryFolder folder;
+  const std::filesystem::path images = folder.path() / "set";
+  for (const char* name : {"a", "b"})
+    for (const char* kind : {"vc", "ic"})
+      for (const char* part : {"panel", "centre", "light-field"})
+        write_display_image(images / fmt::format("{}-{}-{}.png", name, kind, part), DisplayImage(1, 1));
+  const StudyDefinition study = study_of_images(images, folder.path() / "study");
+  ASSERT_EQ(study.images.size(), 3u);
+  EXPECT_EQ(study.images[0].light_field.test, "images/a-ic-panel.png");
+  EXPECT_EQ(study.images[0].monitor.reference, "images/a-vc-centre.png");
+  EXPECT_TRUE(study.images[2].catch_trial);
+  EXPECT_EQ(study.images[2].light_field.test, "images/b-vc-panel.png") << "plainly another image";
+  write_text_file(folder.path() / "study" / "study.json", format_study(study));
+  EXPECT_TRUE(read_study(folder.path() / "study") == study);
+  const std::string message =
+      message_of([&] { study_of_images(folder.path() / "study", folder.path() / "x"); });
+  EXPECT_NE(message.find("neither pairs"), std::string::npos) << message;
 }
 
 TEST(Plan, IsAPureFunctionOfStudyAndNumber) {
