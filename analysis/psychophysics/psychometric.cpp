@@ -6,131 +6,31 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <limits>
 #include <memory>
 
+#include "analysis/psychophysics/binomial.h"
+#include "analysis/psychophysics/psychometric_likelihood.h"
 #include "core/base/error.h"
 #include "core/base/quantile.h"
 #include "core/base/random.h"
 
 namespace plenolab {
 
+using namespace detail;
+
 namespace {
 
 constexpr std::uint64_t kResamplePurpose = 0x7073796368726573;
-constexpr double kSmallest = 1e-300;
-
-/// F, 1 − F and the density at z of a location-scale family; Weibull is one in log x.
-struct Shape {
-  double value, complement, density;
-};
-
-Shape shape_at(PsychometricShape shape, double z) {
-  switch (shape) {
-    case PsychometricShape::kNormal:
-      return {0.5 * std::erfc(-z / std::sqrt(2.0)), 0.5 * std::erfc(z / std::sqrt(2.0)),
-              std::exp(-0.5 * z * z) / std::sqrt(2 * std::acos(-1.0))};
-    case PsychometricShape::kLogistic: {
-      const double value = 1 / (1 + std::exp(-z)), complement = 1 / (1 + std::exp(z));
-      return {value, complement, value * complement};
-    }
-    case PsychometricShape::kWeibull: {
-      const double power = std::exp(std::min(z, 600.0));
-      return {-std::expm1(-power), std::exp(-power), power * std::exp(-power)};
-    }
-  }
-  return {0, 1, 0};
-}
-
-/// Standard place at which F has a value.
-double standard_quantile(PsychometricShape shape, double share) {
-  switch (shape) {
-    case PsychometricShape::kNormal:
-      return quantile(boost::math::normal(), share);
-    case PsychometricShape::kLogistic:
-      return std::log(share / (1 - share));
-    case PsychometricShape::kWeibull:
-      return std::log(-std::log1p(-share));
-  }
-  return 0;
-}
-
-bool is_logarithmic(PsychometricShape shape) {
-  return shape == PsychometricShape::kWeibull;
-}
-
-/// Parameters in the units of the fit: levels are shifted and scaled to [−½, ½].
-struct Parameters {
-  double location = 0, log_scale = 0, guess = 0, lapse = 0;
-};
-
-struct Level {
-  double u, hits, misses;
-};
-
-/// Levels of the fit with what turns their units back.
-struct Data {
-  std::vector<Level> levels;
-  double centre = 0, range = 1;
-};
-
-double axis_of(PsychometricShape shape, double x) {
-  return is_logarithmic(shape) ? std::log(x) : x;
-}
-
-Data scaled(std::span<const PsychometricLevel> levels, PsychometricShape shape) {
-  double low = std::numeric_limits<double>::infinity(), high = -low;
-  for (const PsychometricLevel& level : levels) {
-    level.noticed.validate();
-    if (!std::isfinite(level.x)) throw InputError("a level is not a finite number");
-    if (is_logarithmic(shape) && !(level.x > 0))
-      throw InputError(fmt::format("a Weibull function takes levels above 0, not {:g}", level.x));
-    low = std::min(low, axis_of(shape, level.x));
-    high = std::max(high, axis_of(shape, level.x));
-  }
-  if (!(high > low)) throw InputError("a psychometric function needs at least two different levels");
-  Data data{{}, 0.5 * (low + high), high - low};
-  for (const PsychometricLevel& level : levels)
-    data.levels.push_back({(axis_of(shape, level.x) - data.centre) / data.range,
-                           static_cast<double>(level.noticed.hits),
-                           static_cast<double>(level.noticed.trials - level.noticed.hits)});
-  return data;
-}
-
-/// −log L with its derivatives by location, log scale, γ and λ.
-struct Cost {
-  double value = 0;
-  std::array<double, 4> gradient{};
-};
-
-Cost cost_of(const Data& data, PsychometricShape shape, const Parameters& p) {
-  Cost cost;
-  const double span = 1 - p.guess - p.lapse, inverse_scale = std::exp(-p.log_scale);
-  for (const Level& level : data.levels) {
-    const double z = (level.u - p.location) * inverse_scale;
-    const Shape f = shape_at(shape, z);
-    const double yes = std::max(kSmallest, p.guess + span * f.value);
-    const double no = std::max(kSmallest, p.lapse + span * f.complement);
-    if (level.hits > 0) cost.value -= level.hits * std::log(yes);
-    if (level.misses > 0) cost.value -= level.misses * std::log(no);
-    const double slope = -(level.hits / yes - level.misses / no);
-    cost.gradient[0] -= slope * span * f.density * inverse_scale;
-    if (f.density > 0) cost.gradient[1] -= slope * span * f.density * z;
-    cost.gradient[2] += slope * f.complement;
-    cost.gradient[3] -= slope * f.value;
-  }
-  return cost;
-}
 
 /// Free rates are written as bound · sin²(v), which reaches both bounds where its slope vanishes.
 struct FreeRates {
   bool guess = false, lapse = false;
 };
 
-Parameters parameters_from(const double* x, const PsychometricOptions& options, FreeRates free) {
-  Parameters p{x[0], x[1], options.guess_rate, options.lapse_rate};
+PsychometricParameters parameters_from(const double* x, const PsychometricOptions& options, FreeRates free) {
+  PsychometricParameters p{x[0], x[1], options.guess_rate, options.lapse_rate};
   int next = 2;
   const auto rate = [&](double bound) { return bound * std::pow(std::sin(x[next++]), 2); };
   if (free.guess) p.guess = rate(options.most_guess);
@@ -140,11 +40,11 @@ Parameters parameters_from(const double* x, const PsychometricOptions& options, 
 
 class CostFunction : public ceres::FirstOrderFunction {
  public:
-  CostFunction(const Data& data, const PsychometricOptions& options, FreeRates free)
+  CostFunction(const ScaledLevels& data, const PsychometricOptions& options, FreeRates free)
       : data_(data), options_(options), free_(free) {}
   int NumParameters() const override { return 2 + (free_.guess ? 1 : 0) + (free_.lapse ? 1 : 0); }
   bool Evaluate(const double* x, double* value, double* gradient) const override {
-    const Cost cost = cost_of(data_, options_.shape, parameters_from(x, options_, free_));
+    const PsychometricCost cost = cost_of(data_, options_.shape, parameters_from(x, options_, free_));
     *value = cost.value;
     if (gradient == nullptr) return std::isfinite(cost.value);
     gradient[0] = cost.gradient[0];
@@ -160,17 +60,17 @@ class CostFunction : public ceres::FirstOrderFunction {
   }
 
  private:
-  const Data& data_;
+  const ScaledLevels& data_;
   const PsychometricOptions& options_;
   FreeRates free_;
 };
 
 struct Solution {
-  Parameters parameters;
+  PsychometricParameters parameters;
   double cost = std::numeric_limits<double>::infinity();
 };
 
-Solution solve(const Data& data, const PsychometricOptions& options, FreeRates free, double location,
+Solution solve(const ScaledLevels& data, const PsychometricOptions& options, FreeRates free, double location,
                double log_scale) {
   const ceres::GradientProblem problem(new CostFunction(data, options, free));
   std::array<double, 4> x{location, log_scale, 0.6, 0.6};
@@ -183,13 +83,13 @@ Solution solve(const Data& data, const PsychometricOptions& options, FreeRates f
   solver.logging_type = ceres::SILENT;
   ceres::GradientProblemSolver::Summary summary;
   ceres::Solve(solver, problem, x.data(), &summary);
-  const Parameters found = parameters_from(x.data(), options, free);
+  const PsychometricParameters found = parameters_from(x.data(), options, free);
   const double cost = cost_of(data, options.shape, found).value;
   return std::isfinite(cost) ? Solution{found, cost} : Solution{};
 }
 
 /// The best from all starts. A free rate is also tried at 0, a bound that sin² approaches slowly.
-Solution solve_from_all(const Data& data, const PsychometricOptions& options,
+Solution solve_from_all(const ScaledLevels& data, const PsychometricOptions& options,
                         std::span<const std::array<double, 2>> starts) {
   Solution best;
   for (const bool guess : {false, true})
@@ -209,44 +109,28 @@ Solution solve_from_all(const Data& data, const PsychometricOptions& options,
 constexpr std::array<std::array<double, 2>, 6> kStarts{
     {{0, -1.5}, {0, -0.5}, {-0.3, -1.5}, {0.3, -1.5}, {-0.4, -2.5}, {0.4, -2.5}}};
 
-/// −log L of the best constant share: what a function that does not rise reaches.
-double constant_cost(const Data& data) {
-  double hits = 0, misses = 0;
-  for (const Level& level : data.levels) hits += level.hits, misses += level.misses;
-  const auto part = [&](double count) { return count > 0 ? -count * std::log(count / (hits + misses)) : 0; };
-  return part(hits) + part(misses);
-}
-
-PsychometricStatus status_of(const Data& data, const PsychometricOptions& options, const Solution& solution) {
-  const Parameters& p = solution.parameters;
+PsychometricStatus status_of(const ScaledLevels& data, const PsychometricOptions& options,
+                             const Solution& solution) {
+  const PsychometricParameters& p = solution.parameters;
   const bool no_better = solution.cost > constant_cost(data) - 1e-6;
   const bool wide = p.log_scale > std::log(20.0), far = std::abs(p.location) > 10;
   if (no_better || wide || far) return PsychometricStatus::kFlat;
-  const auto on_slope = std::count_if(data.levels.begin(), data.levels.end(), [&](const Level& level) {
-    const Shape f = shape_at(options.shape, (level.u - p.location) * std::exp(-p.log_scale));
+  const auto on_slope = std::count_if(data.levels.begin(), data.levels.end(), [&](const ScaledLevel& level) {
+    const ShapeValue f = shape_of(level, options.shape, p);
     return f.value > 1e-6 && f.complement > 1e-6;
   });
   return on_slope <= 1 ? PsychometricStatus::kSeparable : PsychometricStatus::kFitted;
 }
 
-double saturated_cost(const Data& data) {
-  double cost = 0;
-  for (const Level& level : data.levels) {
-    const double n = level.hits + level.misses;
-    if (level.hits > 0) cost -= level.hits * std::log(level.hits / n);
-    if (level.misses > 0) cost -= level.misses * std::log(level.misses / n);
-  }
-  return cost;
-}
-
 /// In the units of the levels.
-PsychometricFit fit_from(const Data& data, const PsychometricOptions& options, const Solution& solution) {
-  const Parameters& p = solution.parameters;
+PsychometricFit fit_from(const ScaledLevels& data, const PsychometricOptions& options,
+                         const Solution& solution) {
+  const PsychometricParameters& p = solution.parameters;
   PsychometricFit fit;
   fit.options = options;
   fit.status = status_of(data, options, solution);
   const double location = data.centre + data.range * p.location;
-  fit.location = is_logarithmic(options.shape) ? std::exp(location) : location;
+  fit.location = level_of(options.shape, location);
   fit.scale = data.range * std::exp(p.log_scale);
   fit.guess_rate = p.guess;
   fit.lapse_rate = p.lapse;
@@ -257,15 +141,17 @@ PsychometricFit fit_from(const Data& data, const PsychometricOptions& options, c
 }
 
 /// Answers drawn from the fitted function.
-Data resample(const Data& data, const PsychometricOptions& options, const Parameters& p,
-              std::uint64_t index) {
+ScaledLevels resample(const ScaledLevels& data, const PsychometricOptions& options,
+                      const PsychometricParameters& p, std::uint64_t index) {
   RandomStream random(options.seed, kResamplePurpose, index);
-  Data drawn = data;
-  for (Level& level : drawn.levels) {
-    const Shape f = shape_at(options.shape, (level.u - p.location) * std::exp(-p.log_scale));
-    const double share = p.guess + (1 - p.guess - p.lapse) * f.value, n = level.hits + level.misses;
-    level.hits = 0;
-    for (double trial = 0; trial < n; ++trial) level.hits += random.next_double() < share ? 1 : 0;
+  ScaledLevels drawn = data;
+  for (ScaledLevel& level : drawn.levels) {
+    const ShapeValue f = shape_of(level, options.shape, p);
+    const double n = level.hits + level.misses;
+    const double share = std::clamp(p.guess + (1 - p.guess - p.lapse) * f.value, 0.0, 1.0);
+    // The inverse of the distribution at a uniform number in (0, 1).
+    const double tail = std::max(random.next_double(), 0x1p-54);
+    level.hits = static_cast<double>(critical_number(static_cast<std::int64_t>(n), share, tail) - 1);
     level.misses = n - level.hits;
   }
   return drawn;
@@ -278,14 +164,14 @@ Interval percentile_interval(double estimate, std::vector<double>& values, doubl
   return {estimate, quantile_of_sorted(sorted, tail), quantile_of_sorted(sorted, 1 - tail)};
 }
 
-void bootstrap(PsychometricFit& fit, const Data& data, const Solution& solution) {
+void bootstrap(PsychometricFit& fit, const ScaledLevels& data, const Solution& solution) {
   const PsychometricOptions& options = fit.options;
-  const Parameters& p = solution.parameters;
+  const PsychometricParameters& p = solution.parameters;
   const std::array<std::array<double, 2>, 2> starts{{{p.location, p.log_scale}, {0, -1.5}}};
   std::vector<double> thresholds, scales, lapses;
   int larger = 0;
   for (int i = 0; i < options.resamples; ++i) {
-    const Data drawn = resample(data, options, p, static_cast<std::uint64_t>(i));
+    const ScaledLevels drawn = resample(data, options, p, static_cast<std::uint64_t>(i));
     const PsychometricFit one = fit_from(drawn, options, solve_from_all(drawn, options, starts));
     if (one.status != PsychometricStatus::kFitted) {
       ++fit.degenerate_resamples;
@@ -322,7 +208,7 @@ void PsychometricOptions::validate() const {
 PsychometricFit fit_psychometric(std::span<const PsychometricLevel> levels,
                                  const PsychometricOptions& options) {
   options.validate();
-  const Data data = scaled(levels, options.shape);
+  const ScaledLevels data = scaled(levels, options.shape);
   const Solution solution = solve_from_all(data, options, kStarts);
   if (!std::isfinite(solution.cost))
     throw InputError("no psychometric function gives these answers a probability above 0");
@@ -342,7 +228,7 @@ double psychometric_level(const PsychometricFit& fit, double share) {
     throw InputError(fmt::format("a share of the rise is {:g} but must lie in (0, 1)", share));
   const PsychometricShape shape = fit.options.shape;
   const double axis = axis_of(shape, fit.location) + fit.scale * standard_quantile(shape, share);
-  return is_logarithmic(shape) ? std::exp(axis) : axis;
+  return level_of(shape, axis);
 }
 
 std::string status_text(PsychometricStatus status) {

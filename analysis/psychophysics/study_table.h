@@ -41,6 +41,9 @@ struct StudyRow {
   EquivalenceRegion equivalence;     ///< counts that show equivalence at this number of trials
   std::optional<PositionBias> bias;  ///< of the row's trials; absent for counts
 
+  /// Whether participants have several of the trials: these are not independent, and tests and intervals,
+  /// which take them for it, are too sure.
+  bool repeated() const { return count.participants > 0 && count.participants < count.chose_test.trials; }
   bool equivalent() const { return equivalence.contains(count.chose_test.hits); }
 };
 

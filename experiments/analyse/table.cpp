@@ -113,6 +113,14 @@ std::string observer_text(const ObserverSummary& observer) {
   return text + ".";
 }
 
+void warn_of_repeated_trials(const Study& study) {
+  if (std::none_of(study.rows.begin(), study.rows.end(), [](const StudyRow& row) { return row.repeated(); }))
+    return;
+  fmt::print(
+      "Careful: some participants have several trials of one image. They are not independent, so tests and "
+      "intervals are too sure; the overdispersion says by how much.\n");
+}
+
 void print_power(const Study& study) {
   const StudyRow& row = study.rows.front();
   for (std::size_t i = 0; i < row.power.size(); ++i)
@@ -141,6 +149,7 @@ void print_verdicts(const Study& study) {
 void print_for_people(const Study& study, const ResultTable& table) {
   fmt::print("{}\n", to_wide_text(table, {"display", "image"}, columns_for_people(study)));
   print_verdicts(study);
+  warn_of_repeated_trials(study);
   print_power(study);
   fmt::print(
       "If every true rate were {:g}, at least one of the {} rows would pass with probability {:.3f}.\n",
@@ -148,7 +157,7 @@ void print_for_people(const Study& study, const ResultTable& table) {
   for (const ObserverSummary& observer : study.observers) fmt::print("{}\n", observer_text(observer));
   for (const ResultRow& row : table.rows())
     if (row.quantity == "overdispersion")
-      fmt::print("{}: trials of one participant correlate with ρ = {:.3f}.\n",
+      fmt::print("{}: trials of one participant, over all images, correlate with ρ = {:.3f}.\n",
                  std::get<std::string>(row.columns.front().second), row.value);
 }
 

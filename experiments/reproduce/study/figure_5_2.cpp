@@ -32,13 +32,11 @@ ReproductionResult reproduce_study_figure(Laboratory&) {
   const int guessing = rows_that_hold(study, 0.5), both = rows_that_hold_both(study, 0.3, 0.5);
   result.paper_shows =
       "Figure 5.2 (figure 6 of the paper) draws the counts as bars with a line at 11: where 11 or more "
-      "choose "
-      "IC, participants 'can do no better than a random guess' and 'do not see a difference'.";
+      "choose IC, participants 'can do no better than a random guess' and 'do not see a difference'.";
   result.ours_shows = fmt::format(
       "The same bars with exact 95 % intervals and a second line at {:g}, where guessing lies: {} of {} "
       "intervals hold guessing, and {} hold both guessing and a rate of 0.3, at which two participants in "
-      "five "
-      "see the difference.",
+      "five see the difference.",
       0.5 * static_cast<double>(study.rows.front().count.chose_test.trials), guessing, study.rows.size(),
       both);
   result.differs = fmt::format(
@@ -49,8 +47,8 @@ ReproductionResult reproduce_study_figure(Laboratory&) {
   result.add_plot("choices",
                   {study_plot(study, true),
                    "Choices of the reprojected image by 34 participants, with exact 95 % intervals",
-                   "Bars for five images on two displays with error bars, and lines at the critical "
-                   "number 11 and at 17, half of the participants"});
+                   "Bars for five images on two displays with error bars, and lines at the critical number "
+                   "11 and at 17, half of the participants"});
   result.rows.append(study_table(study));
   return result;
 }

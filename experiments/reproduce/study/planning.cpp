@@ -104,12 +104,10 @@ ReproductionResult reproduce_study_planning(Laboratory&) {
   const SampleSize needed = plan_equivalence(equivalence, 0.5, 0.8);
   result.paper_shows =
       "Section 4.1.2 tests whether more than 19 % of choices are wrong. It states neither the power of the "
-      "test "
-      "nor how many participants it would take to show that they only guess.";
+      "test nor how many participants it would take to show that they only guess.";
   result.ours_shows = fmt::format(
       "With 34 participants an image that all of them guess at passes with probability {:.3f}; one that half "
-      "of "
-      "them see through with certainty (true rate 0.25) still passes with {:.3f}. {} That takes {} "
+      "of them see through with certainty (true rate 0.25) still passes with {:.3f}. {} That takes {} "
       "participants for a power of 0.8.",
       all_guess, half_guess,
       possible ? "Counts near one half would show that the rate lies within 0.5 ± 0.15."
@@ -117,8 +115,7 @@ ReproductionResult reproduce_study_planning(Laboratory&) {
       needed.stable);
   result.differs =
       "The thesis has no such analysis. The test tells image 5 from the others well; for what 'passed' is "
-      "said "
-      "to mean it has " +
+      "said to mean it has " +
       std::string(possible ? "few" : "too few") + " participants.";
   result.add_plot("probability-of-passing", pass_plot());
   result.add_plot("power-over-participants", power_plot());

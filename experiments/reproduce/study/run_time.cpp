@@ -69,21 +69,18 @@ ReproductionResult reproduce_run_time_test(Laboratory&) {
   const double variation = times[0].seconds.sd / times[0].seconds.mean;
   result.paper_shows =
       "Section 5.1: a frame takes 0.1870 s (sd 0.1577) by reprojection with supersampling, 0.1794 s (sd "
-      "0.1511) "
-      "without, 0.0184 s (sd 0.0027) by direct rendering, 1000 frames each; both differences from direct "
-      "rendering are given as p = 2.2 × 10⁻¹⁶.";
+      "0.1511) without, 0.0184 s (sd 0.0027) by direct rendering, 1000 frames each; both differences from "
+      "direct rendering are given as p = 2.2 × 10⁻¹⁶.";
   result.ours_shows = fmt::format(
       "Welch's test from these summaries: t = {:.2f}, log10 p = {:.1f} with supersampling, t = {:.2f}, log10 "
-      "p = "
-      "{:.1f} without; reprojection takes {:.1f} and {:.1f} times as long. Supersampling itself makes no "
+      "p = {:.1f} without; reprojection takes {:.1f} and {:.1f} times as long. Supersampling itself makes no "
       "difference that could be shown (t = {:.2f}, p = {:.2f}).",
       sampled.test.t, sampled.test.log10_p, plain.test.t, plain.test.log10_p, sampled.ratio, plain.ratio,
       both.test.t, both.test.p_two_sided);
   result.differs = fmt::format(
       "{} Frames in sequence are not independent, which the test takes them for; but as few as {} "
-      "independent "
-      "frames of each would do for p < 0.05. The standard deviation of reprojection is {:.0f} % of its mean: "
-      "frames differ so much that a mean says little about one of them.",
+      "independent frames of each would do for p < 0.05. The standard deviation of reprojection is {:.0f} % "
+      "of its mean: frames differ so much that a mean says little about one of them.",
       is_print_floor(kPublishedRunTimeP) ? "The printed p is no result but the floor below which R prints '< "
                                            "2.2e-16' (the spacing of double "
                                            "at 1)."

@@ -12,18 +12,30 @@ bool disagrees(const StudyRow& row) {
   return !row.count.printed_verdict.empty() && (row.count.printed_verdict == "PASSED") != row.passed;
 }
 
-ReportTable report_table(const Study& study, const std::string& caption) {
+ReportTable count_table(const Study& study, const std::string& caption) {
   ReportTable table{caption,
-                    {"display", "image", "n", "chose IC", "share", "95 % from", "to", "to pass", "verdict",
-                     "printed", "p", "p (Holm)", "p (BH)", "TOST p"},
+                    {"display", "image", "chose IC", "share", "from", "to", "to pass", "verdict", "printed"},
                     {},
                     3};
   for (const StudyRow& row : study.rows)
     table.rows.push_back({row.count.display, row.count.image,
-                          static_cast<long long>(row.count.chose_test.trials),
                           static_cast<long long>(row.count.chose_test.hits), row.rate.estimate, row.rate.low,
                           row.rate.high, static_cast<long long>(row.critical), verdict_word(row),
-                          row.count.printed_verdict, row.p_value, row.p_holm, row.p_bh, row.equivalence_p});
+                          row.count.printed_verdict});
+  return table;
+}
+
+ReportTable test_table(const Study& study) {
+  ReportTable table{fmt::format("Tests of a rate of {:g} at most: p by itself, adjusted for {} tests by Holm "
+                                "and Benjamini-Hochberg, posterior probability that the rate is larger "
+                                "(uniform prior); test of equivalence with guessing (TOST)",
+                                study.options.p_null, study.rows.size()),
+                    {"display", "image", "p", "Holm", "BH", "posterior", "TOST p"},
+                    {},
+                    3};
+  for (const StudyRow& row : study.rows)
+    table.rows.push_back({row.count.display, row.count.image, row.p_value, row.p_holm, row.p_bh,
+                          row.posterior_above_null, row.equivalence_p});
   return table;
 }
 
@@ -34,6 +46,14 @@ std::string power_words(const Study& study) {
     text += fmt::format("{}{:.3f} if its true rate is {:g}", i > 0 ? ", " : "", row.power[i],
                         study.options.alternatives[i]);
   return text;
+}
+
+std::string region_words(const StudyRow& row) {
+  if (row.equivalence.empty())
+    return fmt::format("no count of {} could show it", row.count.chose_test.trials);
+  if (row.equivalence.low == row.equivalence.high)
+    return fmt::format("shown by a count of {} alone", row.equivalence.low);
+  return fmt::format("shown by counts from {} to {}", row.equivalence.low, row.equivalence.high);
 }
 
 }  // namespace
@@ -47,17 +67,20 @@ StudyOptions published_options() {
 
 void add_study(ReproductionResult& result, const Study& study, const std::string& caption) {
   result.rows.append(study_table(study));
-  result.add_table(report_table(study, caption));
+  result.add_table(count_table(study, caption + "; share with exact 95 % interval, count to reach"));
+  result.add_table(test_table(study));
+  add_meaning_of_passing(result, study);
+}
+
+void add_meaning_of_passing(ReproductionResult& result, const Study& study) {
   const EquivalenceOptions& equivalence = study.options.equivalence;
   const StudyRow& row = study.rows.front();
   result.blocks.emplace_back(Paragraph{fmt::format(
       "Passing means that a rate of {:g} is refuted, and no more: an image passes with probability {}. If "
-      "all "
-      "true rates were {:g}, at least one of the {} rows would pass with probability {:.3f}. Equivalence "
-      "with "
-      "guessing (rate within {:g} ± {:g}): {}.",
+      "all true rates were {:g}, at least one of the {} rows would pass with probability {:.3f}. Equivalence "
+      "with guessing (rate within {:g} ± {:g}): {}.",
       study.options.p_null, power_words(study), study.options.p_null, study.rows.size(), study.any_false_pass,
-      equivalence.centre, equivalence.margin, equivalence_text(row, equivalence))});
+      equivalence.centre, equivalence.margin, region_words(row))});
 }
 
 VerdictCount count_verdicts(const Study& study) {

@@ -12,8 +12,10 @@ namespace plenolab {
 /// Options of the published test.
 StudyOptions published_options();
 
-/// Adds the study's rows, a table for readers and the sentence that says what passing may mean.
+/// Adds the study's rows, two tables for readers and the sentences that say what passing may mean.
 void add_study(ReproductionResult& result, const Study& study, const std::string& caption);
+/// Those sentences: power, false passes, equivalence.
+void add_meaning_of_passing(ReproductionResult& result, const Study& study);
 
 /// How the recomputed verdicts stand to the printed ones, and what of them outlives closer reading.
 struct VerdictCount {

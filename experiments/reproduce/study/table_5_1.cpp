@@ -35,11 +35,9 @@ std::string recomputed(const Study& study, int printed_critical) {
   const Interval ends = ends_of_passed(study);
   return fmt::format(
       "From the printed counts: the critical number is {} (printed: {}), with P(X ≥ {}) = {:.5f} at a rate "
-      "of "
-      "{:g}; {} of {} rows pass, and {}. Over the rows that pass, the exact 95 % intervals reach from {:.2f} "
-      "to "
-      "{:.2f}; {} of them stay below p = {:g} after Holm's correction over {} tests, and equivalence with "
-      "guessing is shown for {} (each test by itself).",
+      "of {:g}; {} of {} rows pass, and {}. Over the rows that pass, the exact 95 % intervals reach from "
+      "{:.2f} to {:.2f}; {} of them stay below p = {:g} after Holm's correction over {} tests, and "
+      "equivalence with guessing is shown for {} (each test by itself).",
       row.critical, printed_critical, row.critical,
       upper_tail(row.critical, row.count.chose_test.trials, study.options.p_null), study.options.p_null,
       count.passed, count.rows, verdict_words(count), ends.low, ends.high, count.passed_after_holm,
@@ -55,9 +53,8 @@ std::string difference(const Study& study, int printed_critical) {
   if (count.equivalent < count.passed)
     text += fmt::format(
         " For {} of {} passes the counts do not show that participants only guessed: a pass says that more "
-        "than "
-        "{:g} of the choices are wrong, and half guessers among observers who see every difference already "
-        "reach 0.25.",
+        "than {:g} of the choices are wrong, and half guessers among observers who see every difference "
+        "already reach 0.25.",
         count.passed - count.equivalent, count.passed, study.options.p_null);
   return text;
 }
@@ -69,9 +66,8 @@ ReproductionResult reproduce_study_table(Laboratory&) {
   const Study study = analyse_counts(published_main_study(), published_options());
   result.paper_shows =
       "Table 5.1: of 34 participants 12, 21, 16, 15 and 6 took the reprojected image for the reference on "
-      "the "
-      "light-field display, 19, 18, 11, 16 and 6 on a monitor; with a critical number of 11, images 1 to 4 "
-      "passed and image 5 failed on both, and participants are said not to notice a difference where they "
+      "the light-field display, 19, 18, 11, 16 and 6 on a monitor; with a critical number of 11, images 1 to "
+      "4 passed and image 5 failed on both, and participants are said not to notice a difference where they "
       "passed.";
   result.ours_shows = recomputed(study, kPublishedCritical34);
   result.differs = difference(study, kPublishedCritical34) +
@@ -90,8 +86,7 @@ ReproductionResult reproduce_initial_study_table(Laboratory&) {
   result.paper_shows =
       "Appendix E: an initial experiment with 40 participants, who could not return to the reference; holes "
       "were black and nothing was supersampled. With a critical number of 13, image 4 on the monitor and "
-      "image "
-      "5 on both displays failed.";
+      "image 5 on both displays failed.";
   result.ours_shows = recomputed(study, kPublishedCritical40);
   result.differs = difference(study, kPublishedCritical40) +
                    " Since the reference could not be seen again, a wrong choice may be one of memory.";

@@ -137,6 +137,16 @@ TEST(Psychometric, BootstrapIntervalsHoldTheTruthAboutAsOftenAsPromised) {
   EXPECT_GE(held, 22);  // 27 expected; fewer than 22 has probability 0.008 at 90 %
 }
 
+TEST(Psychometric, HugeNumbersOfTrialsAreResampledPromptlyAndTightly) {
+  Levels levels = quickpsy();
+  for (PsychometricLevel& level : levels)
+    level.noticed.hits *= 10'000'000, level.noticed.trials *= 10'000'000;
+  const PsychometricFit fit =
+      fit_psychometric(levels, {.guess_rate = 0, .free_lapse = true, .resamples = 100});
+  ASSERT_TRUE(fit.threshold_interval);
+  EXPECT_LT(fit.threshold_interval->high - fit.threshold_interval->low, 0.1);
+}
+
 TEST(Psychometric, IsTheSameForTheSameSeed) {
   const PsychometricOptions options{.guess_rate = 0, .resamples = 100, .seed = 9};
   const auto a = fit_psychometric(quickpsy(), options), b = fit_psychometric(quickpsy(), options);
@@ -147,6 +157,7 @@ TEST(Psychometric, RefusesWhatCannotBeFitted) {
   EXPECT_THROW(fit_psychometric(Levels{{1, {1, 2}}, {1, {2, 2}}}), InputError);
   EXPECT_THROW(fit_psychometric(Levels{{0, {1, 2}}, {1, {2, 2}}}, {.shape = PsychometricShape::kWeibull}),
                InputError);
+  EXPECT_THROW(fit_psychometric(Levels{{-1.7e308, {1, 2}}, {1.7e308, {2, 2}}}), InputError);
   EXPECT_THROW(fit_psychometric(Levels{{1, {3, 2}}, {2, {2, 2}}}), InputError);
   EXPECT_THROW(fit_psychometric(quickpsy(), {.guess_rate = 0.6, .lapse_rate = 0.5}), InputError);
   EXPECT_THROW(fit_psychometric(quickpsy(), {.resamples = 5}), InputError);

@@ -1,0 +1,128 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/experiments/plane_field.h"
+
+namespace plenolab {
+namespace {
+namespace fs = std::filesystem;
+
+using Arguments = std::vector<std::string>;
+
+/// The value of the first row of a quantity in JSON results; NaN if there is none.
+double value_of(const std::string& json, const std::string& quantity) {
+  const nlohmann::json parsed = nlohmann::json::parse(json);
+  for (const auto& row : parsed.at("rows"))
+    if (row.at("quantity") == quantity) return row.at("value");
+  return std::nan("");
+}
+
+double run_for(Arguments arguments, const std::string& quantity) {
+  arguments.insert(arguments.end(), {"--json", "-"});
+  const ProgramResult result = run_program(arguments);
+  EXPECT_EQ(result.status, 0) << result.err;
+  return result.status == 0 ? value_of(result.out, quantity) : std::nan("");
+}
+
+class Analyse : public testing::Test {
+ protected:
+  fs::path written(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_.path() / name) << text;
+    return folder_.path() / name;
+  }
+  TemporaryFolder folder_;
+};
+
+TEST_F(Analyse, EverySubcommandExplainsItselfWithAnExample) {
+  for (const std::string name : {"critical", "table", "psychometric", "welch", "dprime", "plan"}) {
+    const ProgramResult result = run_program({"analyse", name, "--help"});
+    EXPECT_EQ(result.status, 0) << name;
+    EXPECT_NE(result.out.find("Example: plenolab analyse " + name), std::string::npos) << name;
+  }
+}
+
+TEST_F(Analyse, GivesThePublishedNumbers) {
+  EXPECT_EQ(run_for({"analyse", "critical", "--trials", "34"}, "critical_number"), 11);
+  EXPECT_EQ(run_for({"analyse", "critical", "--trials", "100"}, "critical_number"), 27);
+  EXPECT_NEAR(run_for({"analyse", "welch", "--first", "0.1870,0.1577,1000", "--second", "0.0184,0.0027,1000"},
+                      "log10_p"),
+              -166.9, 0.05);
+  EXPECT_EQ(run_for({"analyse", "plan", "--true-rate", "0.35", "--power", "0.8"}, "trials_stable"), 53);
+  EXPECT_NEAR(run_for({"analyse", "dprime", "--correct", "60,100", "--raw"}, "dprime"), 0.358286909243,
+              1e-11);
+}
+
+TEST_F(Analyse, TableOfCountsSaysWhatPassingMeansAndDrawsIt) {
+  const fs::path counts =
+      written("counts.csv", "display,image,n,k,verdict\nm,1,34,12,PASSED\nm,5,34,6,PASSED\n");
+  const ProgramResult result =
+      run_program({"analyse", "table", counts, "--plot", folder_.path() / "choices"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("m 1: passed: 12 of 34 reach 11"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("Printed: PASSED, which the count contradicts."), std::string::npos);
+  EXPECT_NE(result.out.find("no count of 34 trials could show"), std::string::npos);
+  EXPECT_EQ(result.out.find("indistinguishable"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder_.path() / "choices.svg"));
+}
+
+TEST_F(Analyse, TrialsOfOtherModesDoNotCountUnlessAskedFor) {
+  const fs::path trials = written(
+      "trials.csv",
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\r\n"
+      "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\r\n"
+      "P2,simulated,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\r\n");
+  EXPECT_EQ(run_for({"analyse", "table", trials}, "trials"), 1);
+  EXPECT_EQ(run_for({"analyse", "table", trials, "--mode", "all"}, "trials"), 2);
+  EXPECT_EQ(run_for({"analyse", "table", trials}, "observer_left_rate"), 1);
+  expect_one_clear_sentence(run_program({"analyse", "table", trials, "--mode", "pilot"}),
+                            "no trial is of mode 'pilot'");
+}
+
+TEST_F(Analyse, FitsLevelsAndSaysWhenTheyDetermineNothing) {
+  const fs::path good = written("good.csv", "x,n,k\n1,40,20\n2,40,25\n3,40,33\n4,40,39\n5,40,40\n");
+  EXPECT_EQ(run_for({"analyse", "psychometric", good, "--resamples", "100"}, "determined"), 1);
+  const fs::path step = written("step.csv", "x,n,k\n1,40,0\n2,40,40\n");
+  const ProgramResult result = run_program({"analyse", "psychometric", step, "--guess", "0"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_NE(result.out.find("a step fits as well"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("threshold  "), std::string::npos);
+}
+
+TEST_F(Analyse, ValuesOfFramesGetABlockBootstrapToo) {
+  std::string text = "frame,seconds\n";
+  for (int i = 0; i < 50; ++i) text += std::to_string(i) + "," + std::to_string(0.01 * (i % 7) + 1) + "\n";
+  const fs::path frames = written("frames.csv", text);
+  EXPECT_LT(run_for({"analyse", "welch", "--first", frames, "--second", frames, "--column", "seconds"},
+                    "block_bootstrap_low"),
+            0);
+  expect_one_clear_sentence(run_program({"analyse", "welch", "--first", frames, "--second", frames}),
+                            "--column", 2);
+}
+
+TEST_F(Analyse, WrongUseAndBadFilesGiveOneSentence) {
+  const auto wrong = [](const Arguments& arguments, const std::string& mentions) {
+    SCOPED_TRACE(mentions);
+    expect_one_clear_sentence(run_program(arguments), mentions, 2);
+  };
+  wrong({"analyse"}, "give one of critical, table");
+  wrong({"analyse", "tabel"}, "'plenolab analyse' has no 'tabel'; did you mean 'table'?");
+  wrong({"analyse", "critical", "--trails", "3"},
+        "'plenolab analyse critical' has no option --trails; did you");
+  wrong({"analyse", "critical", "--trials", "0"}, "--trials");
+  wrong({"analyse", "critical", "--trials", "34", "--true-rate", "2"}, "--true-rate");
+  wrong({"analyse", "plan", "--true-rate", "0.1"}, "must be above the tested --rate");
+  wrong({"analyse", "dprime"}, "--correct");
+  wrong({"analyse", "dprime", "--correct", "5,4"}, "--correct: give K,N");
+  wrong({"analyse", "welch", "--first", "1,2,1.5", "--second", "1,2,3"}, "--first: N must be a whole number");
+  const fs::path bad = written("bad.csv", "display,image,n,k\nm,1,34,35\n");
+  expect_one_clear_sentence(run_program({"analyse", "table", bad}), "line 2: 'k' must be a whole number");
+  wrong({"analyse", "table", written("c.csv", "display,image,n,k\nm,1,34,3\n"), "--mode", "real"}, "--mode");
+  expect_one_clear_sentence(run_program({"analyse", "table", folder_.path() / "none.csv"}), "none.csv");
+}
+
+}  // namespace
+}  // namespace plenolab
