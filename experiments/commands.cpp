@@ -18,6 +18,7 @@ void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
+void add_session_command(CLI::App& app, const Invocation& invocation);
 void add_analyse_command(CLI::App& app, const Invocation& invocation);
 void add_calibrate_command(CLI::App& app, const Invocation& invocation);
 void add_reproduce_command(CLI::App& app, const Invocation& invocation);
@@ -43,6 +44,8 @@ std::span<const Command> commands() {
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",
               add_reproject_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
+      Command{"session", "Participant sessions: run, resume, simulate, list and export them",
+              add_session_command},
       Command{"analyse", "Statistics of sessions: tests, tables, fits, planning", add_analyse_command},
       Command{"calibrate", "Fit lengths and angles of a near-eye display to measurement records",
               add_calibrate_command},

@@ -2,93 +2,24 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/lightfield/json_reader.h"
 
 namespace plenolab {
 
 namespace {
-
-using Json = nlohmann::json;
 
 constexpr int kFormatVersion = 1;
 constexpr const char* kFormatName = "plenolab-lightfield";
 constexpr int kMaxViews = 10000;
 constexpr int kMaxSide = 65536;
 
-// One JSON object with the name of its file and its place in it, so that every complaint can say where.
-class Reader {
- public:
-  Reader(const Json& json, std::string file, std::string place)
-      : json_(json), file_(std::move(file)), place_(std::move(place)) {
-    if (!json_.is_object())
-      throw InputError(place_.empty() ? fmt::format("{}: the file must hold one object", file_)
-                                      : fmt::format("{}: \"{}\" must be an object, not {}", file_, place_,
-                                                    json_.type_name()));
-  }
-
-  [[noreturn]] void wrong(const std::string& key, const std::string& what) const {
-    throw InputError(fmt::format("{}: \"{}\" {}", file_, place_.empty() ? key : place_ + "." + key, what));
-  }
-
-  bool has(const std::string& key) const { return json_.contains(key); }
-
-  const Json& value(const std::string& key) const {
-    const auto found = json_.find(key);
-    if (found == json_.end()) wrong(key, "is missing");
-    return *found;
-  }
-
-  Reader object(const std::string& key) const {
-    return Reader(value(key), file_, place_.empty() ? key : place_ + "." + key);
-  }
-
-  std::string text(const std::string& key) const {
-    const Json& json = value(key);
-    if (!json.is_string()) wrong(key, fmt::format("must be a text, not {}", json.type_name()));
-    const std::string result = json.get<std::string>();
-    if (result.empty() || result.size() > 255 || result.find('\0') != std::string::npos)
-      wrong(key, "must be a text of 1 to 255 characters");
-    return result;
-  }
-
-  int integer(const std::string& key, int smallest, int largest) const {
-    const Json& json = value(key);
-    if (!json.is_number_integer())
-      wrong(key, fmt::format("must be a whole number, not {}", json.dump(-1, ' ', true).substr(0, 40)));
-    const double number = json.get<double>();
-    if (!(number >= smallest && number <= largest))
-      wrong(key, fmt::format("must lie in [{}, {}], not {}", smallest, largest, number));
-    return json.get<int>();
-  }
-
-  double positive(const std::string& key) const {
-    const Json& json = value(key);
-    if (!json.is_number()) wrong(key, fmt::format("must be a number, not {}", json.type_name()));
-    const double number = json.get<double>();
-    if (!(number > 0) || !std::isfinite(number)) wrong(key, fmt::format("must be positive, not {}", number));
-    return number;
-  }
-
-  void allow_only(std::initializer_list<const char*> keys) const {
-    for (const auto& item : json_.items()) {
-      bool known = false;
-      for (const char* key : keys) known = known || item.key() == key;
-      if (!known) wrong(item.key().substr(0, 80), "is not a key of this format: check its spelling");
-    }
-  }
-
- private:
-  const Json& json_;
-  std::string file_, place_;
-};
-
-void read_radiance(const Reader& root, LightFieldDescription& description) {
+void read_radiance(const JsonReader& root, LightFieldDescription& description) {
   const std::string radiance = root.text("radiance");
   if (radiance != "cd/m2" && radiance != "relative" && radiance != "display")
     root.wrong("radiance",
@@ -97,8 +28,9 @@ void read_radiance(const Reader& root, LightFieldDescription& description) {
   description.unit = radiance == "cd/m2" ? RadianceUnit::kCdM2 : RadianceUnit::kRelative;
 }
 
-void read_grid(const Reader& root, ViewGrid& grid) {
-  const Reader counts = root.object("grid"), spacing = root.object("spacing"), image = root.object("image");
+void read_grid(const JsonReader& root, ViewGrid& grid) {
+  const JsonReader counts = root.object("grid"), spacing = root.object("spacing"),
+                   image = root.object("image");
   counts.allow_only({"columns", "rows"});
   spacing.allow_only({"x", "y"});
   image.allow_only({"width", "height", "fov_h_deg"});
@@ -113,8 +45,8 @@ void read_grid(const Reader& root, ViewGrid& grid) {
     image.wrong("fov_h_deg", fmt::format("must be less than 180, not {}", grid.fov_h_deg));
 }
 
-void read_channels(const Reader& root, LightFieldDescription& description) {
-  const Reader channels = root.object("channels");
+void read_channels(const JsonReader& root, LightFieldDescription& description) {
+  const JsonReader channels = root.object("channels");
   channels.allow_only({"r", "g", "b", "disparity", "depth"});
   description.r = channels.text("r");
   description.g = channels.text("g");
@@ -194,20 +126,9 @@ std::string expand_view_pattern(const std::string& pattern, int column, int row,
 }
 
 LightFieldDescription parse_description(std::string_view json, const std::string& name) {
-  Json document;
-  // The parser works recursively: deep nesting would exhaust the stack of a program that only expects two
-  // levels.
   constexpr int kMaxNesting = 8;
-  const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
-    if (depth > kMaxNesting) throw InputError(fmt::format("{} is nested too deeply", name));
-    return true;
-  };
-  try {
-    document = Json::parse(json, bounded);
-  } catch (const Json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}", name, error.what()));
-  }
-  const Reader root(document, name, "");
+  const nlohmann::json document = parse_json(json, name, kMaxNesting);
+  const JsonReader root(document, name, "");
   if (root.text("format") != kFormatName) root.wrong("format", fmt::format("must be \"{}\"", kFormatName));
   if (root.integer("version", 0, std::numeric_limits<int>::max()) != kFormatVersion)
     root.wrong("version", fmt::format("must be {}: this program knows no other", kFormatVersion));

@@ -105,6 +105,7 @@ ReproductionResult reproduce_study_table(Laboratory& laboratory);
 ReproductionResult reproduce_initial_study_table(Laboratory& laboratory);
 ReproductionResult reproduce_study_figure(Laboratory& laboratory);
 ReproductionResult reproduce_study_planning(Laboratory& laboratory);
+ReproductionResult reproduce_simulated_study(Laboratory& laboratory);
 ReproductionResult reproduce_run_time_test(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h13(Laboratory& laboratory);
@@ -210,6 +211,8 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"study-planning",
                    "Beyond the thesis: what the test can tell, and how many participants it takes",
                    Chapter::kStudy, reproduce_study_planning},
+      Reproduction{"simulated-study", "Beyond the thesis: its study with simulated participants",
+                   Chapter::kStudy, reproduce_simulated_study},
       Reproduction{"hansen-run-time-test", "Section 5.1: the run times tested again", Chapter::kStudy,
                    reproduce_run_time_test},
       Reproduction{"hansen-fig-b.1", "Figure B.1: lens grid against pixel grid", Chapter::kCalibration,

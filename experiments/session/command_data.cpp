@@ -1,0 +1,267 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "analysis/timing.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "experiments/cli/checks.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
+#include "experiments/cli/wide_table.h"
+#include "experiments/session/commands.h"
+#include "experiments/session/example_study.h"
+#include "experiments/session/export.h"
+#include "experiments/session/simulate.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct NewOptions {
+  std::string folder, images;
+};
+
+void write_new_study(const NewOptions& options) {
+  const fs::path folder = options.folder;
+  if (fs::exists(folder) && !fs::is_empty(folder))
+    throw InputError(fmt::format("{} is not empty: a study is never overwritten", folder.string()));
+  const StudyDefinition study =
+      options.images.empty() ? example_study() : study_of_images(options.images, folder);
+  if (options.images.empty()) write_example_images(folder);
+  write_text_file(folder / "study.json", format_study(study));
+  fmt::print(
+      "wrote {} with {} images and {} blocks: a pilot until its texts are yours and \"mode\" is \"real\"\n",
+      (folder / "study.json").string(), study.images.size(), study.blocks.size());
+}
+
+struct SimulateOptions {
+  CommonOptions common;
+  std::string study, out, observer = "ideal", wrong_file;
+  std::vector<std::string> wrong;
+  int participants = 34;
+  double rate = -1;
+  bool durable = false, echo = false;
+};
+
+/// "image=0.3" or "block/image=0.3".
+void add_wrong(WrongProbabilities& wrong, const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  const CLI::Validator probability = number_between(0, 1);
+  if (equals == std::string::npos || equals == 0 ||
+      !probability(std::string(text.substr(equals + 1))).empty())
+    throw UsageError(fmt::format("--wrong: '{}' is not IMAGE=P or BLOCK/IMAGE=P with P from 0 to 1", text));
+  wrong[text.substr(0, equals)] = std::stod(text.substr(equals + 1));
+}
+
+SimulationOptions simulation_of(const SimulateOptions& options) {
+  SimulationOptions simulation;
+  simulation.participants = options.participants;
+  simulation.observer.kind = observer_named(options.observer);
+  simulation.observer.rate = options.rate < 0 ? default_rate(simulation.observer.kind) : options.rate;
+  simulation.observer.seed = options.common.seed;
+  if (!options.wrong_file.empty()) simulation.observer.wrong = read_wrong_probabilities(options.wrong_file);
+  for (const std::string& text : options.wrong) add_wrong(simulation.observer.wrong, text);
+  if (options.durable) simulation.durability = Durability::kPowerCut;
+  if (options.echo)
+    simulation.on_event = [](const SessionEvent& e) {
+      fmt::print("{} {} {}\n", e.sequence, e.kind, e.what);
+      std::fflush(stdout);
+    };
+  return simulation;
+}
+
+/// Throws InputError if a probability is for an image or block that the study does not have.
+void require_known(const WrongProbabilities& wrong, const StudyDefinition& study) {
+  for (const auto& entry : wrong) {
+    bool known = false;
+    for (const StudyBlock& block : study.blocks)
+      for (const std::string& image : block.images)
+        known = known || entry.first == image || entry.first == block.id + "/" + image;
+    if (!known)
+      throw InputError(fmt::format("the study shows no image '{}' that could be taken wrongly", entry.first));
+  }
+}
+
+void add_wrong_rows(ResultTable& table, const StudyDefinition& study,
+                    const std::vector<TrialRecord>& trials) {
+  for (const StudyBlock& block : study.blocks)
+    for (const std::string& image : block.images) {
+      int wrong = 0, count = 0;
+      for (const TrialRecord& trial : trials)
+        if (trial.block == block.id && trial.image == image) ++count, wrong += trial.chose_test ? 1 : 0;
+      const std::vector<std::pair<std::string, Cell>> columns{{"block", block.id}, {"image", image}};
+      table.add({"wrong_choices", static_cast<double>(wrong), "trials", columns});
+      table.add({"trials", static_cast<double>(count), "trials", columns});
+    }
+}
+
+void simulate(const Invocation& invocation, const SimulateOptions& options) {
+  const StudyDefinition study = read_study(options.study);
+  SimulationOptions simulation = simulation_of(options);
+  require_known(simulation.observer.wrong, study);
+  Provenance provenance = begin_run(invocation, options.common);
+  provenance.parameters["observer"] = options.observer;
+  provenance.parameters["rate"] = simulation.observer.rate;
+  provenance.parameters["participants"] = static_cast<long long>(options.participants);
+  add_input(provenance, study_file(options.study));
+  ProgressBar bar("simulate");
+  simulation.progress = bar.callback();
+  const std::vector<TrialRecord> trials = simulate_study(options.study, options.out, simulation);
+  bar.clear();
+  ResultTable table;
+  add_wrong_rows(table, study, trials);
+  if (!output_is_for_programs(options.common) && !options.echo)
+    fmt::print("{}",
+               to_wide_text(table, {"block", "image"}, {{"wrong_choices", "wrong"}, {"trials", "trials"}}));
+  write_results(table, provenance, options.common);
+  tell(options.common, fmt::format("{} simulated sessions are in {}", options.participants, options.out));
+}
+
+struct ListOptions {
+  CommonOptions common;
+  std::string folder;
+};
+
+void list_sessions(const Invocation& invocation, const ListOptions& options) {
+  Provenance provenance = begin_run(invocation, options.common);
+  ResultTable table;
+  std::vector<std::string> unread;
+  for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
+    try {
+      const StoredSession stored = read_session(folder);
+      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+      const std::vector<std::pair<std::string, Cell>> columns{
+          {"session", stored.identity.participant},
+          {"mode", std::string(name_of(stored.identity.mode))},
+          {"state", std::string(name_of(summary.state))},
+          {"created", stored.identity.created_utc},
+          {"study", stored.identity.study_hash.substr(0, 8)}};
+      table.add({"trials_completed", static_cast<double>(summary.trials.size()), "trials", columns});
+      table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
+      table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
+      table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
+    } catch (const InputError& error) {
+      unread.push_back(error.what());
+    }
+  }
+  if (!output_is_for_programs(options.common))
+    fmt::print("{}", to_wide_text(table, {"session", "mode", "state", "created", "study"},
+                                  {{"trials_completed", "trials"},
+                                   {"trials_planned", "planned"},
+                                   {"runs", "runs"},
+                                   {"events", "events"}}));
+  for (const std::string& line : unread) tell(options.common, "not read: " + line);
+  write_results(table, provenance, options.common);
+}
+
+struct ExportOptions {
+  CommonOptions common;
+  std::string folder, out, mode = "real";
+  bool force = false;
+};
+
+SessionMode mode_named(const std::string& name) {
+  return name == "real"    ? SessionMode::kReal
+         : name == "pilot" ? SessionMode::kPilot
+                           : SessionMode::kSimulated;
+}
+
+void export_command(const Invocation& invocation, const ExportOptions& options) {
+  Provenance provenance = begin_run(invocation, options.common);
+  provenance.parameters["mode"] = options.mode;
+  const fs::path sessions = existing_sessions_folder(options.folder);
+  ExportCounts counts;
+  const std::string item = fmt::format("{} --mode {}", item_path(sessions), options.mode);
+  write_result_folder({options.out, "session export", item, options.force}, provenance,
+                      [&](const fs::path& folder) {
+                        counts = export_sessions(sessions, mode_named(options.mode), folder);
+                        fs::permissions(folder, fs::perms::owner_all);
+                      });
+  ResultTable table;
+  for (const auto& [quantity, value] :
+       {std::pair{"sessions", counts.sessions}, std::pair{"sessions_done", counts.done},
+        std::pair{"trials", counts.trials}, std::pair{"events", counts.events}})
+    table.add({quantity, static_cast<double>(value), quantity, {{"mode", options.mode}}});
+  emit_results(table, provenance, options.common);
+  for (const std::string& line : counts.left_out) tell(options.common, "left out: " + line);
+  tell(options.common, fmt::format("wrote trials.csv, events.csv and a BIDS data set to {}", options.out));
+}
+
+}  // namespace
+
+void add_session_new(CLI::App& session, const Invocation&) {
+  CLI::App& app = *session.add_subcommand("new", "Write a study to start from");
+  auto options = std::make_shared<NewOptions>();
+  app.add_option("folder", options->folder, "Folder for the study, which must be empty or not exist")
+      ->required();
+  app.add_option(
+         "--images", options->images,
+         "Image set of 'plenolab reproject --image-set', or folder of pairs NAME-reference.png and "
+         "NAME-test.png (for the monitor NAME-monitor-reference.png and -test.png; default: example images "
+         "are drawn)")
+      ->check(not_empty());
+  app.footer("Example: plenolab session new study");
+  app.callback([options] { write_new_study(*options); });
+}
+
+void add_session_simulate(CLI::App& session, const Invocation& invocation) {
+  CLI::App& app = *session.add_subcommand("simulate", "Run simulated participants through the whole study");
+  auto options = std::make_shared<SimulateOptions>();
+  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("-o,--out", options->out,
+                 "Folder of the simulated sessions; interrupted ones there are resumed")
+      ->required()
+      ->check(not_empty());
+  app.add_option("--participants", options->participants, "How many")
+      ->check(whole_number(1, 10000))
+      ->capture_default_str();
+  app.add_option("--observer", options->observer, "What they are like")
+      ->check(one_of(observer_names()))
+      ->capture_default_str();
+  app.add_option("--rate", options->rate,
+                 "Share of trials with a lapse (default 0.1), a bias to the left (0.8), impatience or an "
+                 "unplugged pad (0.5)")
+      ->check(number_between(0, 1));
+  app.add_option("--wrong", options->wrong,
+                 "IMAGE=P or BLOCK/IMAGE=P: probability of being wrong; can be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--wrong-file", options->wrong_file, "CSV with the columns block, image, wrong")
+      ->check(not_empty());
+  app.add_flag("--durable", options->durable, "Wait for the disk at every event, as in real sessions");
+  app.add_flag("--echo", options->echo, "Print every event once it is stored");
+  add_common_options(app, options->common);
+  app.footer(
+      "Example: plenolab session simulate study --participants 34 --wrong monitor/near=0.2 -o simulated");
+  app.callback([options, &invocation] { simulate(invocation, *options); });
+}
+
+void add_session_list(CLI::App& session, const Invocation& invocation) {
+  CLI::App& app = *session.add_subcommand("list", "What sessions there are and how far they have come");
+  auto options = std::make_shared<ListOptions>();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab session list study");
+  app.callback([options, &invocation] { list_sessions(invocation, *options); });
+}
+
+void add_session_export(CLI::App& session, const Invocation& invocation) {
+  CLI::App& app =
+      *session.add_subcommand("export", "Write trials and events as tables, and as a BIDS data set");
+  auto options = std::make_shared<ExportOptions>();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  app.add_option("-o,--out", options->out, "Folder for the tables")->required()->check(not_empty());
+  app.add_option("--mode", options->mode, "Which sessions; they are never mixed")
+      ->check(one_of({"real", "pilot", "simulated"}))
+      ->capture_default_str();
+  add_force_option(app, options->force);
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab session export study -o exported");
+  app.callback([options, &invocation] { export_command(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,205 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <iostream>
+#include <memory>
+
+#include "core/base/error.h"
+#include "experiments/cli/checks.h"
+#include "experiments/cli/suggest.h"
+#include "experiments/session/commands.h"
+#include "experiments/session/runner.h"
+#include "experiments/session/sdl_stage.h"
+#include "experiments/session/simulate.h"
+#include "experiments/session/sqlite.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+struct StageOptions {
+  bool keyboard = false, window = false, any_timing = false, echo = false;
+  std::string screenshots;
+};
+
+struct RunOptions {
+  std::string study, out;
+  bool pilot = false;
+  StageOptions stage;
+};
+
+struct ResumeOptions {
+  std::string study, out, participant;
+  bool yes = false;
+  StageOptions stage;
+};
+
+void add_stage_options(CLI::App& app, StageOptions& options) {
+  app.add_flag(
+      "--keyboard", options.keyboard,
+      "Go on without a pad: space bar, left and right arrow, return (they always work beside a pad)");
+  app.add_flag("--window", options.window, "In a window instead of the full screen; pilots only");
+  app.add_flag("--any-timing", options.any_timing,
+               "Go on with a display whose flips do not keep its rate; stored with the session");
+  app.add_flag("--echo", options.echo, "Print every event once it is stored");
+  app.add_option("--screenshots", options.screenshots,
+                 "Keep a picture of all that is drawn here; pilots only")
+      ->check(not_empty());
+}
+
+void print_event(const SessionEvent& e) {
+  fmt::print("{} {:.3f} s {}{}{}{}{}\n", e.sequence, static_cast<double>(e.t_us) * 1e-6, e.kind,
+             e.what.empty() ? "" : " ", e.what, e.outcome.empty() ? "" : " ", e.outcome);
+  std::fflush(stdout);
+}
+
+void require_trying_out(const StageOptions& options, SessionMode mode) {
+  if (mode != SessionMode::kReal) return;
+  if (options.window) throw UsageError("--window is for pilots: real sessions have the whole screen");
+  if (!options.screenshots.empty()) throw UsageError("--screenshots is for pilots: taking them costs time");
+}
+
+void tell_end(const SessionStore& store, SessionState state) {
+  const std::string& who = store.identity().participant;
+  if (state == SessionState::kInterrupted)
+    fmt::print(
+        "session {} was stopped; everything so far is stored in {}; 'plenolab session resume' goes on\n", who,
+        store.folder().string());
+  else
+    fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
+}
+
+void run_on_screen(SessionStore& store, const fs::path& images, const StageOptions& options) {
+  const SdlLibrary sdl(SdlLibrary::Use::kScreen);
+  SdlStage stage({options.window, options.screenshots});
+  if (!options.keyboard && !stage.has_pad())
+    throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
+  RunnerOptions runner{.images = images, .any_timing = options.any_timing};
+  if (options.echo) runner.on_event = print_event;
+  tell_end(store, run_session(store, stage, runner));
+}
+
+/// The mode in which a study is run: a pilot study only as one, any study with --pilot as one.
+SessionMode mode_of(const StudyDefinition& study, const RunOptions& options) {
+  if (study.mode == SessionMode::kPilot && !options.pilot)
+    throw UsageError(
+        "this study is in pilot mode: its sessions are no data; give --pilot to try it out, or set \"mode\" "
+        "to \"real\" "
+        "in the study file");
+  return options.pilot ? SessionMode::kPilot : SessionMode::kReal;
+}
+
+void run_new(const RunOptions& options) {
+  const StudyDefinition study = read_study(options.study);
+  const SessionMode mode = mode_of(study, options);
+  require_trying_out(options.stage, mode);
+  const fs::path sessions = sessions_folder(options.out, options.study);
+  require_same_study(sessions, study, mode);
+  SessionStore store = SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
+                                            Durability::kPowerCut);
+  fmt::print("session {} ({}) begins\n", store.identity().participant,
+             mode == SessionMode::kPilot ? "PILOT: not data" : "real");
+  std::fflush(stdout);
+  run_on_screen(store, study_folder(options.study), options.stage);
+}
+
+/// Sessions of people that were interrupted; those in use by another station are not.
+std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
+  std::vector<std::string> names;
+  for (const fs::path& folder : session_folders(sessions)) {
+    try {
+      const StoredSession stored = read_session(folder);
+      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+      if (summary.state == SessionState::kInterrupted && stored.identity.mode != SessionMode::kSimulated)
+        names.push_back(stored.identity.participant);
+    } catch (const DatabaseInUse&) {
+    }
+  }
+  return names;
+}
+
+/// The session named, or the only interrupted one.
+std::string session_to_resume(const ResumeOptions& options, const fs::path& sessions) {
+  const std::vector<std::string> names = interrupted_sessions(sessions);
+  if (!options.participant.empty()) {
+    if (std::find(names.begin(), names.end(), options.participant) == names.end())
+      throw UsageError(fmt::format("{} holds no interrupted session '{}'{}", sessions.string(),
+                                   options.participant, did_you_mean(options.participant, names)));
+    return options.participant;
+  }
+  if (names.empty()) throw InputError(fmt::format("{} holds no interrupted session", sessions.string()));
+  if (names.size() == 1) return names.front();
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw UsageError(fmt::format("several sessions were interrupted: name one of {}", list));
+}
+
+bool agreed_to_resume(const StoredSession& stored) {
+  const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+  const std::string last = stored.events.empty() ? stored.identity.created_utc : stored.events.back().utc;
+  fmt::print("session {} ({}) was interrupted at {} after {} of {} trials; resume it? [y/N] ",
+             stored.identity.participant, name_of(stored.identity.mode), last, summary.trials.size(),
+             summary.trials_planned);
+  std::fflush(stdout);
+  std::string answer;
+  std::getline(std::cin, answer);
+  return answer == "y" || answer == "Y" || answer == "yes";
+}
+
+void resume(const ResumeOptions& options) {
+  const StudyDefinition study = read_study(options.study);
+  const fs::path sessions = sessions_folder(options.out, options.study);
+  const fs::path folder = sessions / session_to_resume(options, sessions);
+  const StoredSession stored = read_session(folder);
+  require_trying_out(options.stage, stored.identity.mode);
+  if (stored.identity.study_hash != study_hash(study))
+    throw InputError(fmt::format("{} ran another version of the study than {}: it cannot go on with this one",
+                                 folder.string(), study_file(options.study).string()));
+  if (!options.yes && !agreed_to_resume(stored)) {
+    fmt::print("nothing was changed\n");
+    return;
+  }
+  SessionStore store = SessionStore::open(folder, Durability::kPowerCut);
+  run_on_screen(store, study_folder(options.study), options.stage);
+}
+
+}  // namespace
+
+fs::path sessions_folder(const std::string& option, const fs::path& study) {
+  return option.empty() ? study_folder(study) / "sessions" : fs::path(option);
+}
+
+fs::path existing_sessions_folder(const fs::path& given) {
+  return fs::is_directory(given / "sessions") ? given / "sessions" : given;
+}
+
+void add_session_run(CLI::App& session) {
+  CLI::App& app = *session.add_subcommand("run", "Run the session of the next participant");
+  auto options = std::make_shared<RunOptions>();
+  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
+      ->check(not_empty());
+  app.add_flag("--pilot", options->pilot, "Try the study out: stored and exported as a pilot, never as data");
+  add_stage_options(app, options->stage);
+  app.footer("Esc asks whether to stop. Example: plenolab session run study --pilot --keyboard");
+  app.callback([options] { run_new(*options); });
+}
+
+void add_session_resume(CLI::App& session) {
+  CLI::App& app =
+      *session.add_subcommand("resume", "Go on with an interrupted session; its last trial is repeated");
+  auto options = std::make_shared<ResumeOptions>();
+  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("participant", options->participant,
+                 "Session to resume (default: the only interrupted one)");
+  app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
+      ->check(not_empty());
+  app.add_flag("--yes", options->yes, "Do not ask first");
+  add_stage_options(app, options->stage);
+  app.footer("Example: plenolab session resume study real-003");
+  app.callback([options] { resume(*options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "experiments/session/stage.h"
+#include "experiments/session/store.h"
+#include "experiments/session/trials.h"
+
+namespace plenolab {
+
+struct RunnerOptions {
+  std::filesystem::path images;  ///< the study's folder
+  /// Go on with a display whose flips do not wait for it or do not keep the rate it states. Refused for real
+  /// participants otherwise: the black between images could not be trusted.
+  bool any_timing = false;
+  std::string note;  ///< stored with the start of the run, e.g. the simulated observer
+  std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
+};
+
+/// Runs a session from where it stands to its end, or until it is stopped:
+/// consent → questions about the person → instructions → blocks of trials → questionnaire → end.
+/// Every event is stored before anything else is shown. Throws InputError if something cannot be stored or
+/// shown: the session can be resumed.
+SessionState run_session(SessionStore& store, Stage& stage, const RunnerOptions& options);
+
+}  // namespace plenolab

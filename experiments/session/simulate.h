@@ -1,0 +1,38 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <vector>
+
+#include "experiments/session/observer.h"
+#include "experiments/session/store.h"
+#include "experiments/session/trials.h"
+
+namespace plenolab {
+
+struct SimulationOptions {
+  int participants = 34;
+  ObserverOptions observer;  ///< its `number` is set for each participant
+  /// Every event is waited for as in a real session; otherwise it survives the end of the program but perhaps
+  /// not a power cut, which saves most of the time.
+  Durability durability = Durability::kProcessEnd;
+  std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
+  std::function<void(double)> progress;               ///< share of participants done; may be empty
+};
+
+/// Runs simulated participants 1 … n through the whole session: consent, questions, trials, questionnaire, by
+/// a virtual pad. Sessions in `sessions` that are done stay as they are, interrupted ones are resumed,
+/// missing ones created. Throws InputError if the folder holds sessions of another study or of people.
+std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
+                                        const std::filesystem::path& sessions,
+                                        const SimulationOptions& options);
+
+/// Sessions that another station is just running are taken on trust. Throws InputError if a session below
+/// `sessions` ran another study, or one of people shall be mixed with simulated ones.
+void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
+                        SessionMode mode);
+
+/// A new session's identity with the next number of its mode.
+SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number);
+
+}  // namespace plenolab

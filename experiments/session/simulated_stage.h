@@ -1,0 +1,41 @@
+#pragma once
+
+#include "experiments/session/observer.h"
+#include "experiments/session/sdl_input.h"
+#include "experiments/session/stage.h"
+#include "experiments/session/virtual_pad.h"
+
+namespace plenolab {
+
+/// A stage with a simulated participant in front of it: a display of 60 Hz that draws nothing, a clock that
+/// goes on by a frame at every flip, and a virtual pad whose presses come back through SDL as those of a real
+/// one do. Needs an SdlLibrary (headless). Sessions take milliseconds.
+class SimulatedStage final : public Stage {
+ public:
+  explicit SimulatedStage(ObserverOptions observer);
+
+  DisplayReport open_display(int screen) override;
+  void load(const std::vector<Picture>& pictures) override;
+  void draw(const Picture& picture) override;
+  std::int64_t flip() override;
+  std::vector<RawInput> poll() override;
+  void tone() override { ++tones_; }
+  void vibrate() override;
+
+  int tones() const { return tones_; }
+  int rumbles() const { return pad_.rumbles(); }
+  std::int64_t now_us() const { return now_us_; }
+
+ private:
+  void perform(const PadAction& action);
+
+  Observer observer_;
+  SdlInput input_;
+  VirtualPad pad_;  // after the input, so that it goes first
+  Picture picture_;
+  bool fresh_ = false;
+  std::int64_t frame_ = 0, now_us_ = 0;
+  int tones_ = 0;
+};
+
+}  // namespace plenolab

@@ -1,0 +1,303 @@
+#include "experiments/session/store.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <chrono>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "experiments/session/sqlite.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kDatabaseFile = "session.db";
+constexpr const char* kFormat = "plenolab-session";
+constexpr const char* kVersion = "1";
+
+constexpr const char* kSchema = R"sql(
+CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
+CREATE TABLE events (
+  sequence INTEGER PRIMARY KEY AUTOINCREMENT, run INTEGER NOT NULL, t_us INTEGER NOT NULL, t_low_us INTEGER NOT NULL,
+  utc TEXT NOT NULL, position INTEGER NOT NULL, trial INTEGER NOT NULL, attempt INTEGER NOT NULL,
+  block TEXT NOT NULL, image TEXT NOT NULL, kind TEXT NOT NULL, what TEXT NOT NULL, outcome TEXT NOT NULL,
+  detail TEXT NOT NULL);
+CREATE TRIGGER events_are_kept BEFORE DELETE ON events BEGIN SELECT RAISE(ABORT, 'events are never removed'); END;
+CREATE TRIGGER events_stay BEFORE UPDATE ON events BEGIN SELECT RAISE(ABORT, 'events are never changed'); END;
+CREATE TRIGGER events_follow BEFORE INSERT ON events
+  WHEN NEW.sequence <> -1 AND NEW.sequence <= (SELECT coalesce(max(sequence), 0) FROM events)
+  BEGIN SELECT RAISE(ABORT, 'events are never replaced'); END;
+CREATE TRIGGER meta_is_kept BEFORE DELETE ON meta BEGIN SELECT RAISE(ABORT, 'meta is never removed'); END;
+CREATE TRIGGER meta_stays BEFORE UPDATE ON meta BEGIN SELECT RAISE(ABORT, 'meta is never changed'); END;
+CREATE TRIGGER meta_is_complete BEFORE INSERT ON meta WHEN EXISTS (SELECT 1 FROM meta WHERE key = 'complete')
+  BEGIN SELECT RAISE(ABORT, 'meta is complete'); END;
+)sql";
+
+constexpr const char* kColumns =
+    "run, t_us, t_low_us, utc, position, trial, attempt, block, image, kind, what, outcome, detail";
+
+SessionMode mode_named(const std::string& name, const fs::path& file) {
+  for (const SessionMode mode : {SessionMode::kReal, SessionMode::kPilot, SessionMode::kSimulated})
+    if (name == name_of(mode)) return mode;
+  throw InputError(fmt::format("{} has the unknown mode '{}'", file.string(), name));
+}
+
+/// Rolls an interrupted creation back by leaving it empty: all is in one transaction.
+void write_identity(SqliteDatabase& database, const SessionIdentity& identity) {
+  database.execute("BEGIN IMMEDIATE");
+  database.execute(kSchema);
+  SqliteStatement insert = database.prepare("INSERT INTO meta VALUES (?, ?)");
+  const std::vector<std::pair<std::string, std::string>> values{{"format", kFormat},
+                                                                {"version", kVersion},
+                                                                {"participant", identity.participant},
+                                                                {"number", std::to_string(identity.number)},
+                                                                {"mode", name_of(identity.mode)},
+                                                                {"study", identity.study_json},
+                                                                {"study_hash", identity.study_hash},
+                                                                {"created_utc", identity.created_utc},
+                                                                {"program", identity.program},
+                                                                {"complete", "1"}};
+  for (const auto& entry : values) {
+    insert.bind(1, entry.first).bind(2, entry.second).step();
+    insert.reset();
+  }
+  database.execute("COMMIT");
+}
+
+bool has_no_tables(SqliteDatabase& database) {
+  return database.value("SELECT count(*) FROM sqlite_master") == "0";
+}
+
+SessionIdentity read_identity(SqliteDatabase& database, const fs::path& file) {
+  if (has_no_tables(database))
+    throw InputError(fmt::format(
+        "{} was cut off while it was created and holds nothing: its folder can be removed", file.string()));
+  const auto meta = [&](const std::string& key) {
+    SqliteStatement statement = database.prepare("SELECT value FROM meta WHERE key = ?");
+    statement.bind(1, key);
+    if (!statement.step()) throw InputError(fmt::format("{} has no entry '{}' in meta", file.string(), key));
+    return statement.text(0);
+  };
+  if (meta("format") != kFormat || meta("version") != kVersion)
+    throw InputError(fmt::format("{} is not a session of this version of the program", file.string()));
+  SessionIdentity identity;
+  identity.participant = meta("participant");
+  const std::string number = meta("number");
+  std::from_chars(number.data(), number.data() + number.size(), identity.number);
+  identity.mode = mode_named(meta("mode"), file);
+  identity.study_json = meta("study");
+  identity.study_hash = meta("study_hash");
+  identity.created_utc = meta("created_utc");
+  identity.program = meta("program");
+  return identity;
+}
+
+std::vector<SessionEvent> read_events(SqliteDatabase& database) {
+  SqliteStatement rows =
+      database.prepare(fmt::format("SELECT sequence, {} FROM events ORDER BY sequence", kColumns));
+  std::vector<SessionEvent> events;
+  while (rows.step()) {
+    const auto whole = [&](int column) { return static_cast<int>(rows.integer(column)); };
+    events.push_back({rows.integer(0), whole(1), rows.integer(2), rows.integer(3), rows.text(4), whole(5),
+                      whole(6), whole(7), rows.text(8), rows.text(9), rows.text(10), rows.text(11),
+                      rows.text(12), rows.text(13)});
+  }
+  return events;
+}
+
+void sync(int descriptor, const fs::path& path) {
+  if (::fsync(descriptor) != 0)
+    throw InputError(fmt::format("cannot store {} safely: {}", path.string(), std::strerror(errno)));
+}
+
+void sync_folder(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
+  if (descriptor < 0) return;  // e.g. a file system that does not open folders: nothing can be done
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+void require_private(const fs::path& database) {
+  for (const char* suffix : {"", "-wal"}) {
+    const std::string file = database.string() + suffix;
+    if (fs::exists(file)) ::chmod(file.c_str(), 0600);
+  }
+}
+
+}  // namespace
+
+struct SessionStore::Connection {
+  Connection(const fs::path& file, Durability durability)
+      : database(file, SqliteDatabase::Access::kReadWrite) {
+    // Exclusive locking keeps the WAL index in memory, and everybody else out until the connection closes.
+    database.execute("PRAGMA locking_mode=EXCLUSIVE");
+    database.execute(durability == Durability::kPowerCut ? "PRAGMA synchronous=FULL"
+                                                         : "PRAGMA synchronous=OFF");
+    if (database.value("PRAGMA journal_mode=WAL") != "wal")
+      throw InputError(fmt::format("{}: this file system cannot keep a write-ahead log", file.string()));
+    database.execute("BEGIN IMMEDIATE; COMMIT");  // takes the lock
+  }
+  SqliteDatabase database;
+  std::optional<SqliteStatement> insert;
+};
+
+SessionStore::SessionStore(fs::path folder, Durability durability)
+    : folder_(std::move(folder)),
+      durability_(durability),
+      connection_(std::make_shared<Connection>(folder_ / kDatabaseFile, durability)) {
+  require_private(folder_ / kDatabaseFile);
+}
+
+SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentity& identity,
+                                  Durability durability) {
+  create_private_folder(sessions);
+  const fs::path folder = sessions / identity.participant;
+  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+    throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
+  if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
+  if (holds_session(folder))
+    throw InputError(fmt::format("{} exists: a session is never overwritten", folder.string()));
+  SessionStore store(folder, durability);
+  write_identity(store.connection_->database, identity);
+  if (durability == Durability::kPowerCut) sync_folder(sessions);
+  store.identity_ = identity;
+  return store;
+}
+
+SessionStore SessionStore::open(const fs::path& folder, Durability durability) {
+  if (!fs::is_regular_file(folder / kDatabaseFile))
+    throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
+  SessionStore store(folder, durability);
+  store.identity_ = read_identity(store.connection_->database, folder / kDatabaseFile);
+  return store;
+}
+
+void SessionStore::append(SessionEvent& event) {
+  auto& insert = connection_->insert;
+  if (!insert)
+    insert.emplace(connection_->database.prepare(fmt::format(
+        "INSERT INTO events ({}) VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?) RETURNING sequence", kColumns)));
+  event.utc = utc_now();
+  insert->reset();
+  insert->bind(1, event.run)
+      .bind(2, event.t_us)
+      .bind(3, event.t_low_us)
+      .bind(4, event.utc)
+      .bind(5, event.position);
+  insert->bind(6, event.trial).bind(7, event.attempt).bind(8, event.block).bind(9, event.image);
+  insert->bind(10, event.kind).bind(11, event.what).bind(12, event.outcome).bind(13, event.detail);
+  try {
+    insert->step();
+    event.sequence = insert->integer(0);
+    insert->step();  // the row is committed when the statement has run to its end
+  } catch (const InputError& error) {
+    throw InputError(fmt::format(
+        "cannot store what happens ({}); everything before is stored: make room or repair the disk, "
+        "then resume the session",
+        error.what()));
+  }
+}
+
+std::vector<SessionEvent> SessionStore::events() {
+  return read_events(connection_->database);
+}
+
+void SessionStore::require_space(std::uintmax_t mib) const {
+  std::error_code error;
+  const fs::space_info space = fs::space(folder_, error);
+  if (!error && space.available < mib << 20)
+    throw InputError(fmt::format("only {} MiB are free for {}: make room, then resume the session",
+                                 space.available >> 20, folder_.string()));
+}
+
+bool holds_session(const fs::path& folder) {
+  const fs::path file = folder / kDatabaseFile;
+  if (!fs::is_regular_file(file)) return false;
+  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
+  return !has_no_tables(database);
+}
+
+StoredSession read_session(const fs::path& folder) {
+  const fs::path file = folder / kDatabaseFile;
+  if (!fs::is_regular_file(file))
+    throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
+  // Even reading a database in WAL mode recovers its log, which needs write access. The lock that a running
+  // session holds keeps readers out.
+  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
+  database.execute("PRAGMA locking_mode=EXCLUSIVE");
+  StoredSession session{read_identity(database, file), read_events(database)};
+  if (database.value("PRAGMA quick_check") != "ok")
+    throw InputError(fmt::format("{} is damaged", file.string()));
+  return session;
+}
+
+std::vector<fs::path> session_folders(const fs::path& sessions) {
+  if (!fs::is_directory(sessions))
+    throw InputError(fmt::format("{} is no folder of sessions: it does not exist", sessions.string()));
+  std::vector<fs::path> folders;
+  for (const auto& entry : fs::directory_iterator(sessions))
+    if (fs::is_regular_file(entry.path() / kDatabaseFile)) folders.push_back(entry.path());
+  std::sort(folders.begin(), folders.end());
+  return folders;
+}
+
+std::string pseudonym(SessionMode mode, int number) {
+  return fmt::format("{}-{:03}", name_of(mode), number);
+}
+
+int next_number(const fs::path& sessions, SessionMode mode) {
+  const std::string prefix = std::string(name_of(mode)) + "-";
+  int last = 0;
+  if (!fs::is_directory(sessions)) return 1;
+  for (const auto& entry : fs::directory_iterator(sessions)) {
+    const std::string name = entry.path().filename().string();
+    int number = 0;
+    if (name.starts_with(prefix) &&
+        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec == std::errc{})
+      last = std::max(last, number);
+  }
+  return last + 1;
+}
+
+std::string utc_now() {
+  const auto now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
+  const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
+                     fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)), (now - seconds).count());
+}
+
+void create_private_folder(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_directory(folder, error)) return;
+  if (folder.has_parent_path() && folder.has_relative_path()) create_private_folder(folder.parent_path());
+  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+    throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), std::strerror(errno)));
+}
+
+void create_private_file(const fs::path& file, const std::string& text, Durability durability) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+  const auto failed = [&] {
+    return InputError(fmt::format("cannot create {}: {}", file.string(), std::strerror(errno)));
+  };
+  if (descriptor < 0) throw failed();
+  const std::shared_ptr<void> closer(nullptr, [descriptor](void*) { ::close(descriptor); });
+  for (std::size_t written = 0; written < text.size();) {
+    const ssize_t count = ::write(descriptor, text.data() + written, text.size() - written);
+    if (count < 0) throw failed();
+    written += static_cast<std::size_t>(count);
+  }
+  if (durability == Durability::kProcessEnd) return;
+  sync(descriptor, file);
+  sync_folder(file.parent_path());
+}
+
+}  // namespace plenolab

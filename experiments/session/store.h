@@ -1,0 +1,124 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/session/study.h"
+
+namespace plenolab {
+
+/// Everything that happens in a session, in one SQLite database file for each session:
+///
+///   SESSIONS/              the data folder of a study
+///     real-001/session.db  one folder a session, 0700, files 0600
+///     consent/real-001.json  what was signed, apart from all answers (consent.h)
+///
+/// One file a session, not one for the study: stations can run side by side without sharing a file, a damaged
+/// disk block costs one session, a finished one can be copied while the next runs, and a participant who
+/// withdraws is removed by removing a folder. The session is known by its pseudonym alone.
+///
+/// The database is append-only: triggers refuse every change and removal, and nothing is stored but events
+/// and what the session is (`meta`); trials are derived (trials.h). It is in WAL mode with synchronous=FULL:
+/// append() returns when the event is on the disk, so a killed program or a power cut loses nothing that was
+/// acknowledged. It is locked as long as it is open: a second program is refused.
+
+/// What a session is; fixed when it is created.
+struct SessionIdentity {
+  std::string participant;  ///< pseudonym, also the name of the folder: "real-001"
+  int number = 1;           ///< sequence number among sessions of this mode, ≥ 1; decides the plan
+  SessionMode mode = SessionMode::kPilot;
+  std::string study_json;  ///< format_study of the study that is run
+  std::string study_hash;
+  std::string created_utc;
+  std::string program;  ///< version and revision
+};
+
+/// One thing that happened.
+struct SessionEvent {
+  std::int64_t sequence = 0;  ///< 1, 2, 3 … in the order stored; set by the store
+  int run = 1;                ///< 1 when the session is first run, + 1 each time it is resumed
+  std::int64_t t_us = 0;      ///< µs on the clock of the run
+  std::int64_t t_low_us = 0;  ///< it happened after this (last poll); equal to t_us for flips
+  std::string utc;            ///< wall clock when it was stored
+  int position = 0;           ///< of the block in the session, 1-based; 0: outside blocks
+  int trial = 0;              ///< 1-based in the block; 0: outside trials
+  int attempt = 0;            ///< of the trial, 1-based: an interrupted trial is repeated
+  std::string block, image;   ///< ids; empty outside
+  std::string kind;           ///< "press", "shown" … (README.md lists them)
+  std::string what, outcome;
+  std::string detail;  ///< JSON or text; may be empty
+};
+
+/// How much is waited for.
+enum class Durability {
+  kPowerCut,    ///< synchronous=FULL: every event survives a power cut
+  kProcessEnd,  ///< synchronous=OFF: survives the end of the program however it comes; for simulated
+                ///< participants
+};
+
+class SessionStore {
+ public:
+  /// Creates SESSIONS/participant with its database. Throws InputError if it holds a session (nothing is ever
+  /// overwritten), or the folder cannot be written. A creation that was cut off is completed.
+  static SessionStore create(const std::filesystem::path& sessions, const SessionIdentity& identity,
+                             Durability durability);
+  /// Opens one to go on. Throws InputError if it is damaged, not a session, or in use by another program.
+  static SessionStore open(const std::filesystem::path& folder, Durability durability);
+
+  const SessionIdentity& identity() const { return identity_; }
+  const std::filesystem::path& folder() const { return folder_; }
+  Durability durability() const { return durability_; }
+  /// Stores an event; on return it is on the disk. Sets its sequence number and wall clock. Throws InputError
+  /// if the disk is full or fails: everything stored before is still there.
+  void append(SessionEvent& event);
+  /// All events so far, in order.
+  std::vector<SessionEvent> events();
+  /// Throws InputError unless `mib` are free on the disk: asked before each trial.
+  void require_space(std::uintmax_t mib = 16) const;
+
+ private:
+  struct Connection;
+  SessionStore(std::filesystem::path folder, Durability durability);
+
+  std::filesystem::path folder_;
+  Durability durability_;
+  SessionIdentity identity_;
+  std::shared_ptr<Connection> connection_;
+};
+
+/// Whether a folder holds a session; false also if its creation was cut off before anything happened in it.
+bool holds_session(const std::filesystem::path& folder);
+
+/// A stored session, read without locking it or changing anything: what was stored when it was read.
+struct StoredSession {
+  SessionIdentity identity;
+  std::vector<SessionEvent> events;
+};
+
+/// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
+StoredSession read_session(const std::filesystem::path& folder);
+
+/// Folders of all sessions below a data folder, sorted by name. Throws InputError if there is no such folder.
+std::vector<std::filesystem::path> session_folders(const std::filesystem::path& sessions);
+
+/// "real-001", "pilot-012", "simulated-034".
+std::string pseudonym(SessionMode mode, int number);
+
+/// The lowest number after all that were used in this mode.
+int next_number(const std::filesystem::path& sessions, SessionMode mode);
+
+/// Now, as "2026-01-31T12:00:00.123Z".
+std::string utc_now();
+
+/// Creates a folder 0700 with those above it; one that exists stays as it is.
+void create_private_folder(const std::filesystem::path& folder);
+
+/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked.
+void create_private_file(const std::filesystem::path& file, const std::string& text, Durability durability);
+
+}  // namespace plenolab

@@ -1,0 +1,155 @@
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/base/random.h"
+#include "experiments/session/export.h"
+#include "experiments/session/simulate.h"
+#include "experiments/session/sqlite.h"
+#include "tests/experiments/plane_field.h"
+#include "tests/experiments/session/tiny_study.h"
+
+namespace plenolab {
+namespace {
+namespace fs = std::filesystem;
+
+std::vector<std::string> simulate_arguments(const fs::path& study, const fs::path& out) {
+  return {PLENOLAB_PROGRAM, "session", "simulate", study,       "--participants", "1",  "--observer",
+          "unplugging",     "--wrong", "one=0.5",  "--durable", "--echo",         "-o", out};
+}
+
+/// Runs the program and kills it once it has acknowledged `events` events; the last number it told. It may
+/// have stored more by then. `ended` tells whether it came to its end instead.
+std::int64_t run_and_kill(const std::vector<std::string>& arguments, int events, bool& ended) {
+  int ends[2];
+  PLENOLAB_CHECK(::pipe(ends) == 0, "pipe");
+  const pid_t child = ::fork();
+  if (child == 0) {
+    ::dup2(ends[1], STDOUT_FILENO);
+    ::close(ends[0]);
+    std::vector<char*> argv;
+    for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
+    argv.push_back(nullptr);
+    ::execv(argv[0], argv.data());
+    ::_exit(127);
+  }
+  ::close(ends[1]);
+  std::FILE* lines = ::fdopen(ends[0], "r");
+  std::int64_t last = 0;
+  char line[512];
+  for (int i = 0; i < events && std::fgets(line, sizeof line, lines); ++i)
+    if (line[0] >= '0' && line[0] <= '9' && std::string(line).back() == '\n') last = std::atoll(line);
+  ::kill(child, SIGKILL);
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  ended = WIFEXITED(status);
+  std::fclose(lines);
+  return last;
+}
+
+std::string exported_trials(const fs::path& sessions, const fs::path& out) {
+  export_sessions(sessions, SessionMode::kSimulated, out);
+  return read_text_file(out / "trials.csv");
+}
+
+void expect_sound(const fs::path& session, std::int64_t acknowledged) {
+  {
+    SqliteDatabase database(session / "session.db", SqliteDatabase::Access::kReadWrite);
+    EXPECT_EQ(database.value("PRAGMA integrity_check"), "ok");
+  }
+  const StoredSession stored = read_session(session);
+  ASSERT_GE(static_cast<std::int64_t>(stored.events.size()), acknowledged);
+  for (std::size_t i = 0; i < stored.events.size(); ++i)
+    ASSERT_EQ(stored.events[i].sequence, static_cast<std::int64_t>(i) + 1);
+}
+
+/// PLENOLAB_KILLS sets another number of kills (scripts/kill-session.sh).
+int kills_wanted() {
+  const char* wanted = std::getenv("PLENOLAB_KILLS");
+  return wanted ? std::atoi(wanted) : 10;
+}
+
+TEST(KilledSession, KeepsEveryAcknowledgedEventAndGoesOnAsIfNothingHadHappened) {
+  const TemporaryFolder folder;
+  const fs::path study = folder.path() / "study";
+  write_tiny_study(study);
+  bool ended = false;
+  run_and_kill(simulate_arguments(study, folder.path() / "whole"), 100'000, ended);
+  const std::string whole = exported_trials(folder.path() / "whole", folder.path() / "whole-out");
+  int kills = 0, repeated = 0;
+  for (int session = 0; kills < kills_wanted(); ++session) {
+    const fs::path out = folder.path() / ("killed-" + std::to_string(session));
+    ended = false;
+    for (std::uint64_t attempt = 0; !ended; ++attempt) {
+      // At most six times within a session: later runs then come to the end.
+      const std::uint64_t word = random_u64(7, static_cast<std::uint64_t>(session), attempt);
+      const int events = attempt < 6 ? 1 + static_cast<int>(word % 60) : 100'000;
+      const std::int64_t acknowledged = run_and_kill(simulate_arguments(study, out), events, ended);
+      kills += ended ? 0 : 1;
+      if (holds_session(out / "simulated-001")) expect_sound(out / "simulated-001", acknowledged);
+    }
+    EXPECT_EQ(exported_trials(out, folder.path() / ("out-" + std::to_string(session))), whole) << session;
+    const StoredSession stored = read_session(out / "simulated-001");
+    for (const TrialRecord& t : summarise(stored.identity, study_of(stored.identity), stored.events).trials)
+      repeated += t.attempt > 1 ? 1 : 0;
+  }
+  EXPECT_GT(repeated, 0) << "no kill hit a trial: the test tests nothing";
+}
+
+TEST(KilledSession, AFullDiskIsOneSentenceAndNothingIsLost) {
+  const TemporaryFolder folder;
+  const fs::path study = folder.path() / "study", out = folder.path() / "sessions";
+  write_tiny_study(study);
+  std::vector<std::string> arguments = simulate_arguments(study, out);
+  arguments.erase(arguments.begin());
+  const ProgramResult full = run_program(arguments, [] {
+    const rlimit limit{90'000, 90'000};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  });
+  expect_one_clear_sentence(full, "everything before is stored", 1);
+  const std::size_t stored = read_session(out / "simulated-001").events.size();
+  EXPECT_GT(stored, 5u);
+  EXPECT_EQ(run_program(arguments).status, 0);
+  EXPECT_GT(read_session(out / "simulated-001").events.size(), stored);
+}
+
+TEST(SessionCommand, RefusesToMixPilotsWithData) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path() / "pilot");
+  write_tiny_study(folder.path() / "real", SessionMode::kReal);
+  expect_one_clear_sentence(run_program({"session", "run", folder.path() / "pilot", "--keyboard"}),
+                            "this study is in pilot mode", 2);
+  expect_one_clear_sentence(run_program({"session", "run", folder.path() / "real", "--window"}),
+                            "--window is for pilots", 2);
+  EXPECT_FALSE(fs::exists(folder.path() / "real" / "sessions"));
+  expect_one_clear_sentence(run_program({"session", "rum"}),
+                            "'plenolab session' has no 'rum'; did you mean 'run'?", 2);
+  expect_one_clear_sentence(run_program({"session", "run", "x", "--pilott"}),
+                            "'plenolab session run' has no option --pilott; did you mean '--pilot'?", 2);
+  expect_one_clear_sentence(run_program({"session", "simulate", folder.path() / "pilot", "--wrong", "one=2",
+                                         "-o", folder.path() / "x"}),
+                            "--wrong: 'one=2' is not", 2);
+  expect_one_clear_sentence(run_program({"session", "simulate", folder.path() / "pilot", "--wrong", "oen=0.2",
+                                         "-o", folder.path() / "x"}),
+                            "shows no image 'oen'", 1);
+  expect_one_clear_sentence(run_program({"session", "new", folder.path()}), "never overwritten", 1);
+}
+
+TEST(SessionCommand, EverySubcommandExplainsItselfWithAnExample) {
+  for (const char* command : {"new", "run", "resume", "simulate", "list", "export"}) {
+    const ProgramResult result = run_program({"session", command, "--help"});
+    EXPECT_EQ(result.status, 0) << command;
+    EXPECT_NE(result.out.find(std::string("Example: plenolab session ") + command), std::string::npos)
+        << command;
+  }
+}
+
+}  // namespace
+}  // namespace plenolab

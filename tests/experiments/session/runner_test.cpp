@@ -1,0 +1,193 @@
+#include "experiments/session/runner.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/base/file.h"
+#include "experiments/session/consent.h"
+#include "experiments/session/simulate.h"
+#include "tests/experiments/session/tiny_study.h"
+#include "tests/support/message_of.h"
+
+namespace plenolab {
+namespace {
+namespace fs = std::filesystem;
+
+/// A stage whose participant answers pages by `answer` (keys to press for a question's id) and does the
+/// trials right; presses Escape and Return when the trial number `stop_at` begins.
+class ScriptedStage final : public Stage {
+ public:
+  DisplayReport open_display(int screen) override {
+    return {screen, "scripted", 1000, 800, stated_hz, vsync, 10};
+  }
+  void load(const std::vector<Picture>&) override {}
+  void draw(const Picture& picture) override {
+    picture_ = picture;
+    waited_ = 0;
+    if (picture.kind == Picture::Kind::kPage) pages.push_back(picture.question);
+    if (!picture.banner.empty()) banner = picture.banner;
+  }
+  std::int64_t flip() override { return now_us_ += 10'000; }
+  std::vector<RawInput> poll() override {
+    if (++waited_ < 60) return {};
+    waited_ = 0;
+    std::vector<RawInput> inputs;
+    for (const std::string& key : keys())
+      inputs.push_back(
+          {.kind = RawInput::Kind::kKey, .name = key, .down = true, .t_low_us = now_us_, .t_us = now_us_});
+    return inputs;
+  }
+  void tone() override {}
+  void vibrate() override {}
+
+  std::map<std::string, std::vector<std::string>>
+      answers;  // keys by id of the question; else the first choice
+  int stop_at = -1;
+  double stated_hz = 100;
+  bool vsync = true;
+  std::vector<std::string> pages;
+  std::string banner;
+
+ private:
+  std::vector<std::string> keys() {
+    if (picture_.kind == Picture::Kind::kPage) {
+      if (picture_.question.empty()) return {"Return"};  // whether to stop
+      const auto found = answers.find(picture_.question);
+      return found != answers.end() ? found->second : std::vector<std::string>{"Down", "Return"};
+    }
+    if (picture_.kind == Picture::Kind::kBlack) {
+      if (picture_.image != image_ || picture_.block != block_) ++trial_, seen_left_ = seen_right_ = false;
+      image_ = picture_.image;
+      block_ = picture_.block;
+      return {trial_ == stop_at ? "Escape" : "Space"};
+    }
+    seen_left_ = seen_left_ || picture_.stimulus == Stimulus::kLeft;
+    seen_right_ = seen_right_ || picture_.stimulus == Stimulus::kRight;
+    if (!seen_left_) return {"Left"};
+    if (!seen_right_) return {"Right"};
+    if (picture_.shows_test) return {picture_.stimulus == Stimulus::kLeft ? "Right" : "Left"};
+    return {"Return"};
+  }
+
+  Picture picture_;
+  std::string image_, block_;
+  bool seen_left_ = false, seen_right_ = false;
+  int waited_ = 0, trial_ = 0;
+  std::int64_t now_us_ = 0;
+};
+
+struct Fixture {
+  explicit Fixture(SessionMode mode = SessionMode::kReal)
+      : study(write_tiny_study(folder.path() / "study", mode)),
+        store(SessionStore::create(folder.path() / "sessions", new_identity(study, mode, 1),
+                                   Durability::kProcessEnd)) {}
+
+  SessionState run(ScriptedStage& stage) {
+    return run_session(store, stage, {.images = folder.path() / "study"});
+  }
+  SessionSummary summary() { return summarise(store.identity(), study, store.events()); }
+  int count(const std::string& kind) {
+    const auto events = store.events();
+    return static_cast<int>(
+        std::count_if(events.begin(), events.end(), [&](const SessionEvent& e) { return e.kind == kind; }));
+  }
+
+  TemporaryFolder folder;
+  StudyDefinition study;
+  SessionStore store;
+};
+
+TEST(Runner, ASessionGoesFromConsentToItsEnd) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  EXPECT_EQ(stage.pages.front(), "adult");
+  EXPECT_EQ(stage.pages.back(), "end");
+  EXPECT_EQ(stage.banner, "");
+  const SessionSummary summary = fixture.summary();
+  EXPECT_EQ(summary.state, SessionState::kDone);
+  ASSERT_EQ(summary.trials.size(), 6u);
+  for (const TrialRecord& trial : summary.trials) {
+    EXPECT_FALSE(trial.chose_test) << trial.block << " " << trial.image;
+    EXPECT_GE(trial.views_a, 1);
+    EXPECT_GE(trial.views_b, 1);
+    EXPECT_EQ(trial.catch_trial, trial.image == "odd");
+  }
+  EXPECT_TRUE(summary.answered("age"));
+  EXPECT_TRUE(consent_exists(fixture.folder.path() / "sessions", "real-001"));
+}
+
+TEST(Runner, WhoDeclinesIsAskedNothingFurtherAndLeavesNoConsent) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["consent"] = {"Up", "Return"};
+  EXPECT_EQ(fixture.run(stage), SessionState::kDeclined);
+  EXPECT_EQ(fixture.summary().answers.size(), 1u) << "only whether of age";
+  EXPECT_FALSE(consent_exists(fixture.folder.path() / "sessions", "real-001"));
+  EXPECT_EQ(fixture.run(stage), SessionState::kDeclined) << "it stays so";
+}
+
+TEST(Runner, WhoIsUnderAgeNeedsTheGuardiansConsentToo) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["adult"] = {"Up", "Return"};
+  stage.answers["guardian_consent"] = {"Up", "Return"};
+  EXPECT_EQ(fixture.run(stage), SessionState::kDeclined);
+  EXPECT_EQ(std::count(stage.pages.begin(), stage.pages.end(), "age"), 0);
+}
+
+TEST(Runner, FarSightedParticipantsAreExcluded) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  stage.answers["vision"] = {"Up", "Return"};
+  EXPECT_EQ(fixture.run(stage), SessionState::kExcluded);
+  EXPECT_EQ(fixture.count("trial_started"), 0);
+}
+
+TEST(Runner, AStoppedSessionGoesOnWithTheInterruptedTrialAndAsksNothingTwice) {
+  Fixture fixture;
+  ScriptedStage first;
+  first.answers["age"] = {"Return"};
+  first.stop_at = 5;
+  EXPECT_EQ(fixture.run(first), SessionState::kInterrupted);
+  EXPECT_EQ(fixture.summary().trials.size(), 4u);
+  EXPECT_EQ(fixture.count("stopped"), 1);
+  ScriptedStage second;
+  EXPECT_EQ(fixture.run(second), SessionState::kDone);
+  EXPECT_EQ(std::count(second.pages.begin(), second.pages.end(), "adult"), 0);
+  EXPECT_EQ(std::count(second.pages.begin(), second.pages.end(), "vision"), 0);
+  const SessionSummary summary = fixture.summary();
+  ASSERT_EQ(summary.trials.size(), 6u);
+  EXPECT_EQ(summary.trials[4].attempt, 2);
+  EXPECT_EQ(summary.trials[5].attempt, 1);
+  EXPECT_EQ(summary.runs, 2);
+}
+
+TEST(Runner, RealSessionsRefuseADisplayThatDoesNotKeepTime) {
+  for (const bool real : {true, false}) {
+    Fixture fixture(real ? SessionMode::kReal : SessionMode::kPilot);
+    ScriptedStage stage;
+    stage.answers["age"] = {"Return"};
+    stage.vsync = false;
+    const std::string message = message_of([&] { fixture.run(stage); });
+    EXPECT_EQ(message.find("cannot be trusted with time") != std::string::npos, real) << message;
+    ScriptedStage slow;
+    slow.answers["age"] = {"Return"};
+    slow.stated_hz = 60;  // but 10 ms a flip
+    EXPECT_EQ(message_of([&] { fixture.run(slow); }).empty(), !real);
+  }
+}
+
+TEST(Runner, APilotSaysSoOnItsPages) {
+  Fixture fixture(SessionMode::kPilot);
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  fixture.run(stage);
+  EXPECT_EQ(stage.banner, "PILOT: answers do not count");
+}
+
+}  // namespace
+}  // namespace plenolab

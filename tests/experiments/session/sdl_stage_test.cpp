@@ -1,0 +1,102 @@
+#include "experiments/session/sdl_stage.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "core/base/file.h"
+#include "core/io/image_file.h"
+#include "experiments/session/runner.h"
+#include "experiments/session/simulate.h"
+#include "experiments/session/simulated_stage.h"
+#include "tests/experiments/session/tiny_study.h"
+#include "tests/support/message_of.h"
+
+namespace plenolab {
+namespace {
+namespace fs = std::filesystem;
+
+Picture image_picture(const fs::path& file, int zoom) {
+  Picture picture{.kind = Picture::Kind::kImage, .file = file};
+  picture.zoom = zoom;
+  return picture;
+}
+
+// SDL's dummy display draws in memory: what a participant would see can be looked at pixel by pixel.
+TEST(SdlStage, ShowsImagesMagnifiedPixelByPixelInTheMiddleOfBlack) {
+  ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  const TemporaryFolder folder;
+  const fs::path file = folder.path() / "image.png", shots = folder.path() / "shots";
+  DisplayImage image(2, 3, Rgb{0, 0, 0});
+  image.at(0, 0) = {1, 0, 0};
+  image.at(1, 2) = {0, 51 / 255.0f, 1};
+  write_display_image(file, image);
+  const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
+  SdlStage stage({.screenshots = shots});
+  const DisplayReport display = stage.open_display(0);
+  EXPECT_GT(display.interval_ms, 0);
+  stage.load({image_picture(file, 8)});
+  stage.draw(image_picture(file, 8));
+  EXPECT_LT(stage.flip(), stage.flip());
+  const DisplayImage seen = read_display_image(shots / "001.png");
+  ASSERT_EQ(seen.width(), display.width_px);
+  ASSERT_EQ(seen.height(), display.height_px);
+  const int left = (display.width_px - 16) / 2, top = (display.height_px - 24) / 2;
+  for (int y = 0; y < seen.height(); ++y)
+    for (int x = 0; x < seen.width(); ++x) {
+      const bool inside = x >= left && x < left + 16 && y >= top && y < top + 24;
+      const Rgb expected = inside ? image.at((x - left) / 8, (y - top) / 8) : Rgb{0, 0, 0};
+      ASSERT_EQ(seen.at(x, y), expected) << x << "," << y;
+    }
+}
+
+TEST(SdlStage, RefusesDisplaysThatAreNotThereAndImagesThatDoNotFit) {
+  ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  const TemporaryFolder folder;
+  write_display_image(folder.path() / "wide.png", DisplayImage(200, 1));
+  const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
+  SdlStage stage({});
+  EXPECT_NE(message_of([&] { stage.open_display(7); }).find("wants display 7, but there are only 1"),
+            std::string::npos);
+  stage.open_display(0);
+  const std::string message =
+      message_of([&] { stage.load({image_picture(folder.path() / "wide.png", 64)}); });
+  EXPECT_NE(message.find("12800×64 px at zoom 64, larger than the display"), std::string::npos) << message;
+  EXPECT_FALSE(stage.has_pad());
+}
+
+TEST(SdlStage, PagesAreReadableTextInsideTheDisplay) {
+  ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  const TemporaryFolder folder;
+  const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
+  SdlStage stage({.screenshots = folder.path()});
+  const DisplayReport display = stage.open_display(0);
+  Picture page{.kind = Picture::Kind::kPage};
+  page.page = {"How hard was it? äöü €", {"easy", "hard"}, 1, "Return: go on"};
+  stage.draw(page);
+  const DisplayImage seen = read_display_image(folder.path() / "001.png");
+  int lit = 0, at_edge = 0;
+  for (int y = 0; y < seen.height(); ++y)
+    for (int x = 0; x < seen.width(); ++x) {
+      const bool ink = seen.at(x, y).r > 0.5f;
+      lit += ink;
+      at_edge += ink && (x < display.width_px / 20 || x >= display.width_px * 19 / 20);
+    }
+  EXPECT_GT(lit, 500);
+  EXPECT_EQ(at_edge, 0);
+}
+
+TEST(SimulatedStage, ChoicesThatAreRefusedVibrateThePad) {
+  const TemporaryFolder folder;
+  const StudyDefinition study = write_tiny_study(folder.path() / "study");
+  SessionStore store = SessionStore::create(
+      folder.path() / "sessions", new_identity(study, SessionMode::kSimulated, 1), Durability::kProcessEnd);
+  const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
+  SimulatedStage stage({.kind = ObserverKind::kImpatient, .rate = 1});
+  EXPECT_EQ(run_session(store, stage, {.images = folder.path() / "study"}), SessionState::kDone);
+  EXPECT_EQ(stage.tones(), 12) << "six times the same image, six times the reference chosen";
+  EXPECT_EQ(stage.rumbles(), 6);
+}
+
+}  // namespace
+}  // namespace plenolab

@@ -1,0 +1,175 @@
+#include "experiments/session/store.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "core/base/file.h"
+#include "experiments/session/simulate.h"
+#include "experiments/session/sqlite.h"
+#include "tests/experiments/session/tiny_study.h"
+#include "tests/support/message_of.h"
+
+namespace plenolab {
+namespace {
+namespace fs = std::filesystem;
+
+unsigned mode_of(const fs::path& path) {
+  struct stat status {};
+  EXPECT_EQ(::stat(path.c_str(), &status), 0) << path;
+  return status.st_mode & 0777;
+}
+
+struct Sessions {
+  TemporaryFolder folder;
+  fs::path path = folder.path() / "sessions";
+  StudyDefinition study = write_tiny_study(folder.path() / "study");
+  SessionIdentity identity(int number) const { return new_identity(study, SessionMode::kReal, number); }
+};
+
+SessionEvent event_of(const std::string& kind) {
+  SessionEvent event;
+  event.kind = kind;
+  event.t_us = 1'000'000'000'000;
+  event.detail = "{\"ö\":\"\n,\"}";
+  return event;
+}
+
+TEST(Store, GivesBackWhatWasStoredInOrder) {
+  const Sessions sessions;
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    for (const char* kind : {"first", "second", "third"}) {
+      SessionEvent event = event_of(kind);
+      store.append(event);
+    }
+  }
+  const StoredSession stored = read_session(sessions.path / "real-001");
+  ASSERT_EQ(stored.events.size(), 3u);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(stored.events[i].sequence, static_cast<std::int64_t>(i) + 1);
+  EXPECT_EQ(stored.events[2].kind, "third");
+  EXPECT_EQ(stored.events[2].t_us, 1'000'000'000'000);
+  EXPECT_EQ(stored.events[2].detail, "{\"ö\":\"\n,\"}");
+  EXPECT_EQ(stored.identity.mode, SessionMode::kReal);
+  EXPECT_EQ(stored.identity.study_hash, study_hash(sessions.study));
+}
+
+TEST(Store, IsPrivate) {
+  const Sessions sessions;
+  SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+  SessionEvent event = event_of("x");
+  store.append(event);
+  EXPECT_EQ(mode_of(sessions.path), 0700u);
+  EXPECT_EQ(mode_of(sessions.path / "real-001"), 0700u);
+  for (const auto& file : fs::directory_iterator(sessions.path / "real-001"))
+    EXPECT_EQ(mode_of(file.path()), 0600u) << file.path();
+}
+
+TEST(Store, NeverOverwritesASession) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  const std::string message =
+      message_of([&] { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); });
+  EXPECT_NE(message.find("never overwritten"), std::string::npos) << message;
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 2);
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kPilot), 1);
+}
+
+TEST(Store, RefusesASecondProgramButNotLaterOnes) {
+  const Sessions sessions;
+  {
+    const SessionStore store =
+        SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    for (const auto& attempt : {std::function<void()>([&] {
+                                  SessionStore::open(sessions.path / "real-001", Durability::kPowerCut);
+                                }),
+                                std::function<void()>([&] { read_session(sessions.path / "real-001"); })})
+      EXPECT_NE(message_of(attempt).find("in use by another program"), std::string::npos);
+  }
+  EXPECT_EQ(message_of([&] { SessionStore::open(sessions.path / "real-001", Durability::kPowerCut); }), "");
+}
+
+TEST(Store, TheDatabaseItselfRefusesChangesAndRemovals) {
+  const Sessions sessions;
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    SessionEvent event = event_of("kept");
+    store.append(event);
+  }
+  SqliteDatabase database(sessions.path / "real-001" / "session.db", SqliteDatabase::Access::kReadWrite);
+  for (const char* sql : {"DELETE FROM events", "UPDATE events SET kind = 'x'", "DELETE FROM meta",
+                          "UPDATE meta SET value = 'x'", "INSERT INTO meta VALUES ('y', 'z')",
+                          "INSERT OR REPLACE INTO meta VALUES ('mode', 'pilot')",
+                          "INSERT OR REPLACE INTO events SELECT 1, run, t_us, t_low_us, utc, position, "
+                          "trial, attempt, block, image, "
+                          "'changed', what, outcome, detail FROM events"})
+    EXPECT_NE(message_of([&] { database.execute(sql); }), "") << sql;
+  EXPECT_EQ(database.value("SELECT kind FROM events"), "kept");
+  EXPECT_EQ(database.value("SELECT value FROM meta WHERE key = 'mode'"), "real");
+}
+
+TEST(Store, ACreationThatWasCutOffIsCompleted) {
+  const Sessions sessions;
+  create_private_folder(sessions.path / "real-001");
+  EXPECT_FALSE(holds_session(sessions.path / "real-001"));
+  create_private_file(sessions.path / "real-001" / "session.db", "", Durability::kPowerCut);
+  EXPECT_FALSE(holds_session(sessions.path / "real-001"));
+  EXPECT_NE(message_of([&] { read_session(sessions.path / "real-001"); }).find("cut off"), std::string::npos);
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  EXPECT_TRUE(holds_session(sessions.path / "real-001"));
+}
+
+TEST(Store, DamagedFilesAreToldFromSessions) {
+  const Sessions sessions;
+  create_private_folder(sessions.path / "real-001");
+  create_private_file(sessions.path / "real-001" / "session.db", std::string(8192, 'x'),
+                      Durability::kPowerCut);
+  EXPECT_NE(message_of([&] { read_session(sessions.path / "real-001"); }).find("damaged"), std::string::npos);
+  EXPECT_NE(message_of([&] { read_session(sessions.path / "real-002"); }).find("is no session"),
+            std::string::npos);
+}
+
+TEST(Store, AFullDiskStopsTheSessionWithEverythingBeforeStored) {
+  const Sessions sessions;
+  std::int64_t stored = 0;
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    EXPECT_EQ(message_of([&] { store.require_space(1); }), "");
+    EXPECT_NE(message_of([&] { store.require_space(std::uintmax_t{1} << 43); }).find("MiB are free"),
+              std::string::npos);
+  }
+  // The limit is kept by this connection: SQLite then answers as on a full disk.
+  SqliteDatabase database(sessions.path / "real-001" / "session.db", SqliteDatabase::Access::kReadWrite);
+  database.execute("PRAGMA max_page_count = 20");
+  const auto fill = [&] {
+    for (; stored < 100'000; ++stored)
+      database.execute(
+          "INSERT INTO events (run, t_us, t_low_us, utc, position, trial, attempt, block, image, kind, "
+          "what, outcome, detail) VALUES (1,2,3,'',0,0,0,'','','press','','','" +
+          std::string(200, 'x') + "')");
+  };
+  EXPECT_NE(message_of(fill).find("full"), std::string::npos);
+  EXPECT_EQ(database.value("SELECT count(*) FROM events"), std::to_string(stored));
+  EXPECT_EQ(database.value("PRAGMA integrity_check"), "ok");
+}
+
+TEST(Store, AFolderThatCannotBeMadeIsNamedWithItsReason) {
+  const Sessions sessions;
+  const std::string message = message_of(
+      [&] { SessionStore::create("/proc/plenolab/sessions", sessions.identity(1), Durability::kPowerCut); });
+  EXPECT_NE(message.find("cannot create the folder /proc/plenolab"), std::string::npos) << message;
+}
+
+TEST(Store, AReadOnlyFolderIsNamedWithItsReason) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const Sessions sessions;
+  create_private_folder(sessions.path);
+  fs::permissions(sessions.path, fs::perms::owner_read | fs::perms::owner_exec);
+  const std::string message =
+      message_of([&] { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); });
+  EXPECT_NE(message.find("Permission denied"), std::string::npos) << message;
+  fs::permissions(sessions.path, fs::perms::owner_all);
+}
+
+}  // namespace
+}  // namespace plenolab
