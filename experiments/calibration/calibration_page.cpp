@@ -91,14 +91,17 @@ ReportSection conflict_section(const std::vector<DoubtedSource>& doubts) {
 
 std::vector<KeyFigure> key_figures_of(const CalibrationFit& fit) {
   std::vector<KeyFigure> figures;
+  const bool sound = !contradicts(fit) || isolated_outliers(fit);
+  const auto spread = [&](const CalibrationEstimate& e) {
+    return sound ? fmt::format("± {}", format_number(*e.sd, 2))
+                 : std::string("readings contradict each other");
+  };
   for (const CalibrationEstimate& e : fit.uncertainty.derived)
     if (e.name == "fov_deg" && e.determined())
-      figures.push_back(
-          {"field of view", format_number(e.value), e.unit, fmt::format("± {}", format_number(*e.sd, 2))});
+      figures.push_back({"field of view", format_number(e.value), e.unit, spread(e)});
   for (const CalibrationEstimate& e : fit.uncertainty.parameters)
     if ((e.name == "d_l_mm" || e.name == "f_mm") && e.sd.value_or(0) > 0)
-      figures.push_back(
-          {e.symbol, format_number(e.value), e.unit, fmt::format("± {}", format_number(*e.sd, 2))});
+      figures.push_back({e.symbol, format_number(e.value), e.unit, spread(e)});
   figures.push_back({"rank", std::to_string(fit.uncertainty.rank), "",
                      fmt::format("of {} unknowns", fit.uncertainty.unknowns)});
   figures.push_back(

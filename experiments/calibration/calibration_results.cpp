@@ -212,6 +212,10 @@ std::vector<std::string> calibration_sentences(const CalibrationFit& fit) {
   const CalibrationUncertainty& u = fit.uncertainty;
   if (!fit.converged) sentences.push_back("The fit did not converge: " + fit.message);
   sentences.push_back(judgement(fit));
+  if (contradicts(fit) && !isolated_outliers(fit))
+    sentences.emplace_back(
+        "The estimates are a compromise between contradictory readings, and their deviations do not cover "
+        "that.");
   if (u.condition_number)
     sentences.push_back(fmt::format("The readings see all {} unknowns; the condition number is {}.",
                                     u.unknowns, format_number(*u.condition_number, 3)));
@@ -225,7 +229,7 @@ std::vector<std::string> calibration_sentences(const CalibrationFit& fit) {
       sentences.push_back(
           fmt::format("{}: {} was {} and should be {}, {:.1f} deviations away (weight {:.2f}).",
                       r.kind == "anchor" ? "An anchor lies far off"
-                                         : fmt::format("Record {} ({}) is an outlier", r.record, r.kind),
+                                         : fmt::format("Record {} ({}) lies far off", r.record, r.kind),
                       r.what, format_number(r.measured, 5), format_number(r.predicted, 5),
                       std::abs(r.deviations), r.weight));
   return sentences;
