@@ -44,8 +44,8 @@ TEST(NearEye, NamesEveryFill) {
 TEST(ReprojectCommand, WritesTheLightFieldForThePanelAndSaysHowItDiffers) {
   const TemporaryFolder folder;
   const std::string out = (folder.path() / "out").string(), json = (folder.path() / "rows.json").string();
-  const auto run = run_program({"reproject", "near-eye-2", "-o", out, "--compare", "--supersampling", "1", "--eye",
-                                "0,0,0", "--focus", "0.5", "--optics", "thin-lens", "--json", json});
+  const auto run = run_program({"reproject", "near-eye-2", "-o", out, "--compare", "--supersampling", "1",
+                                "--eye", "0,0,0", "--focus", "0.5", "--optics", "thin-lens", "--json", json});
   ASSERT_EQ(run.status, 0) << run.err;
   const DisplayImage light_field = read_display_image(out + "/light-field.png");
   EXPECT_EQ(light_field.width(), 1215);
@@ -55,7 +55,8 @@ TEST(ReprojectCommand, WritesTheLightFieldForThePanelAndSaysHowItDiffers) {
   for (const char* file : {"difference.png", "vc-light-field.png", "retina.png", "run.json"})
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   std::set<std::string> quantities;
-  for (const auto& row : nlohmann::json::parse(read_text_file(json))["rows"]) {
+  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
+  for (const auto& row : results["rows"]) {
     quantities.insert(row["quantity"].get<std::string>());
     if (row["quantity"] == "difference_mean") {
       EXPECT_GT(row["value"].get<double>(), 0);

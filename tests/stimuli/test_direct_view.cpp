@@ -36,7 +36,8 @@ TEST(DirectView, ShadesByLambertsLawUnderSunAndSky) {
   const double pi = std::numbers::pi;
   // Albedo/π · (E_sun cos 45° + π · half of sky and ground each).
   const double expected = 0.5 / pi * (1000 * std::cos(pi / 4) + pi * 75);
-  for (const Rgb& c : view.radiance.pixels()) ASSERT_NEAR(static_cast<double>(c.r), expected, 1e-3 * expected);
+  for (const Rgb& c : view.radiance.pixels())
+    ASSERT_NEAR(static_cast<double>(c.r), expected, 1e-3 * expected);
 }
 
 TEST(DirectView, DarkensWhatTheSunDoesNotReach) {
@@ -82,7 +83,8 @@ TEST(DirectView, ShowsPointsWhereTheirDepthSaysAlsoFromTheNextCamera) {
   // A spacing of exactly three pixels at 2 m.
   grid.spacing_x_m = 3 * 2 * 2 * std::tan(10 * std::numbers::pi / 180) / 48;
   const DirectScene prepared(scene);
-  const DirectView left = render_direct(prepared, grid, {0, 0}), right = render_direct(prepared, grid, {1, 0});
+  const DirectView left = render_direct(prepared, grid, {0, 0}),
+                   right = render_direct(prepared, grid, {1, 0});
   for (int x = 3; x < 48; ++x) EXPECT_NEAR(right.radiance.at(x - 3, 20).r, left.radiance.at(x, 20).r, 0.02f);
 }
 

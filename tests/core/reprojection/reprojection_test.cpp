@@ -107,8 +107,8 @@ TEST(Reprojection, ReproducesAPlaneOfFractionalDisparityUpToInterpolation) {
   const CameraArray array = array_of(5, 3, 24);
   for (const double disparity : {0.3, 1.37}) {
     const ReprojectionResult result = reproject(array, see_plane(array, disparity));
-    // Within the border pixel of a corner camera there is no neighbour to interpolate with: half a pixel of the
-    // steepest slope. Elsewhere a sine of 0.23 rad/px is interpolated linearly, twice.
+    // Within the border pixel of a corner camera there is no neighbour to interpolate with: half a pixel of
+    // the steepest slope. Elsewhere a sine of 0.23 rad/px is interpolated linearly, twice.
     EXPECT_LT(largest_difference(result.light_field, array, disparity, 2), 0.5 * 0.5 * 0.23);
     EXPECT_LT(mean_difference(result.light_field, array, disparity), 0.5 * 0.23 * 0.23 / 8);
   }

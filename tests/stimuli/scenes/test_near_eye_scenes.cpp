@@ -56,7 +56,8 @@ TEST(NearEyeScenes, AreRecordedAsTheDisplayAsks) {
 TEST(NearEyeScenes, LieBetweenTwelveCentimetresAndSixMetresAndFillTheView) {
   for (const SceneEntry& entry : near_eye_scenes()) {
     const DirectView view = look(entry.build());
-    const auto [nearest, farthest] = std::minmax_element(view.depth_m.pixels().begin(), view.depth_m.pixels().end());
+    const auto [nearest, farthest] =
+        std::minmax_element(view.depth_m.pixels().begin(), view.depth_m.pixels().end());
     EXPECT_GE(*nearest, 0.12f) << entry.id;
     EXPECT_LE(*farthest, 6.001f) << entry.id;
   }
@@ -69,7 +70,8 @@ TEST(NearEyeScenes, EndWithExtremeOcclusionTwelveCentimetresAway) {
 
 TEST(NearEyeScenes, AreDiffuseSoThatEveryCameraSeesAPointAlike) {
   for (const SceneEntry& entry : near_eye_scenes())
-    for (const Material& material : entry.build().materials) EXPECT_EQ(material.kind, Material::Kind::kDiffuse);
+    for (const Material& material : entry.build().materials)
+      EXPECT_EQ(material.kind, Material::Kind::kDiffuse);
 }
 
 }  // namespace
