@@ -22,8 +22,8 @@ std::span<const SceneEntry> scenes();
 /// diffuse, lit by a sun and an even sky.
 std::span<const SceneEntry> near_eye_scenes();
 
-/// Models the scene of either table called `id`: the same meshes, bit by bit, at every call. Throws InputError, which lists
-/// the known ids, for any other name.
+/// Models the scene of either table called `id`: the same meshes, bit by bit, at every call. Throws
+/// InputError, which lists the known ids, for any other name.
 Scene build_scene(std::string_view id);
 
 /// The scenes, one file each. See the head of each file for what it shows, its photometric set-up and what it
