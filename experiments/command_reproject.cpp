@@ -152,10 +152,12 @@ void make_one(ResultTable& table, Made made, const CameraArray& array,
                       difference_picture(reference, image, 4));
 }
 
-void make_scene(ResultTable& table, const Scene& scene, const ReprojectOptions& options,
-                const Output& output) {
+/// `exposure` > 0 replaces the scene's own.
+void make_scene(ResultTable& table, const Scene& scene, const ReprojectOptions& options, const Output& output,
+                float exposure = 0) {
   const double fov = options.optics == "thin-lens" ? display_for(options).rendered_fov_deg : 0;
-  const NearEyeScene prepared = prepare_near_eye(DirectScene(scene), options.supersampling, fov);
+  NearEyeScene prepared = prepare_near_eye(DirectScene(scene), options.supersampling, fov);
+  if (exposure > 0) prepared.exposure = exposure;
   const CameraArray array = camera_array(prepared.grid);
   const Stopwatch watch;
   const std::vector<RenderedCamera> cameras =
@@ -182,8 +184,9 @@ void make_field(ResultTable& table, const LightField& field, const ReprojectOpti
       output);
 }
 
-/// Both eyes: the cameras moved sideways, each eye at its own display.
+/// Both eyes: the cameras moved sideways, each eye at its own display, exposed alike.
 void make_stereo(ResultTable& table, Scene scene, const ReprojectOptions& options, const Output& output) {
+  const float exposure = prepare_near_eye(DirectScene(scene), 1).exposure;
   const Vec3 centre = scene.camera.centre_m, right = scene.camera.forward.cross(scene.camera.up);
   for (const int side : {-1, 1}) {
     scene.camera.centre_m =
@@ -191,7 +194,7 @@ void make_stereo(ResultTable& table, Scene scene, const ReprojectOptions& option
     const std::string eye = side < 0 ? "left" : "right";
     Output one{output.folder, eye + "-", output.columns};
     one.columns.emplace_back("eye", eye);
-    make_scene(table, scene, options, one);
+    make_scene(table, scene, options, one, exposure);
   }
 }
 

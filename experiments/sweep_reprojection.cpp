@@ -85,11 +85,7 @@ ResultTable sweep_reprojection(const Scene& scene, const SweepRun& run) {
 }
 
 SweepPlotDesign reprojection_sweep_plot() {
-  return {"mean_error",
-          "Mean difference from every camera at supersampling 4",
-          "1",
-          {"method", "cameras"},
-          "supersampling"};
+  return {"mean_error", "Mean difference", "1", {"method", "cameras"}, "supersampling"};
 }
 
 }  // namespace plenolab

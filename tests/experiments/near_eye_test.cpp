@@ -55,7 +55,8 @@ TEST(ReprojectCommand, WritesTheLightFieldForThePanelAndSaysHowItDiffers) {
   for (const char* file : {"difference.png", "vc-light-field.png", "retina.png", "run.json"})
     EXPECT_TRUE(std::filesystem::exists(out + "/" + file)) << file;
   std::set<std::string> quantities;
-  for (const auto& row : nlohmann::json::parse(read_text_file(json))["rows"]) {
+  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
+  for (const auto& row : results["rows"]) {
     quantities.insert(row["quantity"].get<std::string>());
     if (row["quantity"] == "difference_mean") {
       EXPECT_GT(row["value"].get<double>(), 0);

@@ -56,4 +56,14 @@ void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim c
   conclude(result, std::move(claim), std::move(verdict));
 }
 
+NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+  NearEyeTimes times;
+  for (const std::string& id : bench.scene_ids()) {
+    const NearEyeBench::Timing& t = bench.timing(id, recipe);
+    times.direct.push_back(t.direct_total_s());
+    times.reprojected.push_back(t.reprojected_total_s());
+  }
+  return times;
+}
+
 }  // namespace plenolab

@@ -33,6 +33,12 @@ DisplayImage centre_enlarged(const DisplayImage& light_field, const SubimageLayo
 void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim claim, Verdict verdict,
                         std::string explanation);
 
+/// Seconds of a light field of each scene, see NearEyeBench::timing.
+struct NearEyeTimes {
+  std::vector<double> direct, reprojected;
+};
+NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
+
 inline constexpr const char* kOverScenes = "95 % bootstrap over the five scenes";
 
 }  // namespace plenolab
