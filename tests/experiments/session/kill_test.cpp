@@ -151,6 +151,14 @@ TEST(SessionCommand, AStartThatFailsLeavesNoSession) {
   expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--pilot"}, headless),
                             "no pad is connected", 1);
   EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
+  const auto no_screen = [] {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) ::unsetenv(name);
+    ::setenv("XDG_RUNTIME_DIR", "/nonexistent", 1);
+  };
+  const ProgramResult blind =
+      run_program({"session", "run", folder.path(), "--pilot", "--keyboard"}, no_screen);
+  EXPECT_EQ(blind.status, 1) << blind.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
   expect_one_clear_sentence(run_program({"session", "resume", folder.path()}, headless),
                             "is no folder of sessions", 1);
 }
