@@ -81,8 +81,9 @@ void run_on_screen(const std::function<SessionStore()>& begin, const fs::path& i
   if (!options.keyboard && !stage.has_pad())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
   SessionStore store = begin();
-  fmt::print("session {} ({}) begins\n", store.identity().participant,
-             store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real");
+  fmt::print("session {} ({}) {}\n", store.identity().participant,
+             store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real",
+             store.events().empty() ? "begins" : "goes on");
   std::fflush(stdout);
   RunnerOptions runner{.images = images, .any_timing = options.any_timing};
   if (options.echo) runner.on_event = print_event;
