@@ -140,7 +140,7 @@ BetaBinomialFit fit_beta_binomial(std::span<const Proportion> participants, doub
 double beta_binomial_posterior_above(std::span<const Proportion> participants, double p) {
   if (participants.empty()) throw InputError("a posterior needs at least one participant");
   pooled(participants);
-  constexpr int kRates = 400, kRhos = 100;
+  constexpr int kRates = 200, kRhos = 60;
   std::vector<double> logs;
   for (int r = 0; r < kRhos; ++r)
     for (int i = 0; i < kRates; ++i)

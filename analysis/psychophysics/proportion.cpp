@@ -77,6 +77,18 @@ Interval jeffreys(Proportion count, double confidence) {
           misses == 0 ? 1 : quantile(complement(beta, tail))};
 }
 
+Interval rate_interval(Proportion count, IntervalMethod method, double confidence) {
+  switch (method) {
+    case IntervalMethod::kWilson:
+      return wilson(count, confidence);
+    case IntervalMethod::kJeffreys:
+      return jeffreys(count, confidence);
+    case IntervalMethod::kClopperPearson:
+      break;
+  }
+  return clopper_pearson(count, confidence);
+}
+
 double posterior_above(Proportion count, double p, BetaPrior prior) {
   return cdf(complement(posterior(count, prior), p));
 }

@@ -24,6 +24,9 @@ Interval wilson(Proportion count, double confidence = 0.95);
 /// trials hit (Brown, Cai & DasGupta 2001).
 Interval jeffreys(Proportion count, double confidence = 0.95);
 
+enum class IntervalMethod { kClopperPearson, kWilson, kJeffreys };
+Interval rate_interval(Proportion count, IntervalMethod method, double confidence = 0.95);
+
 /// A Beta(a, b) prior of the rate; (1, 1) is uniform.
 struct BetaPrior {
   double a = 1, b = 1;  ///< > 0

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "analysis/psychophysics/binomial.h"
+#include "analysis/psychophysics/dprime.h"
 #include "analysis/psychophysics/multiplicity.h"
 #include "core/base/error.h"
 
@@ -25,9 +26,8 @@ StudyRow analyse_count(const StudyCount& count, const StudyOptions& options) {
   row.passed = hits >= row.critical;
   const double log_p = log_upper_tail(hits, trials, options.p_null);
   row.p_value = std::exp(log_p);
-  // Never infinite: only an impossible count would be, and p_null = 0 makes any hit one.
-  row.log10_p = std::isfinite(log_p) ? log_p / std::numbers::ln10 : -1e300;
-  row.rate = clopper_pearson(count.chose_test, options.confidence);
+  row.log10_p = log_p / std::numbers::ln10;
+  row.rate = rate_interval(count.chose_test, options.interval, options.confidence);
   row.posterior_above_null = posterior_above(count.chose_test, options.p_null);
   for (const double p : options.alternatives) row.power.push_back(upper_tail(row.critical, trials, p));
   row.equivalence_p = equivalence_p(count.chose_test, options.equivalence);
@@ -79,6 +79,18 @@ void add_interval(ResultTable& table, const std::string& quantity, const Interva
   table.add({quantity + "_high", interval.high, "1", columns});
 }
 
+/// d′ of those who did not take the test image for the reference.
+void add_sensitivity(ResultTable& table, const StudyRow& row, const StudyOptions& options, Columns columns) {
+  const auto [hits, trials] = row.count.chose_test;
+  columns.emplace_back("model", "");
+  for (const auto& [name, model] : {std::pair{"abx-independent", DprimeModel::kAbxIndependent},
+                                    std::pair{"abx-differencing", DprimeModel::kAbxDifferencing}}) {
+    columns.back().second = std::string(name);
+    add_interval(table, "dprime", dprime_interval({trials - hits, trials}, model, true, options.confidence),
+                 columns);
+  }
+}
+
 void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& options) {
   Columns columns{{"display", row.count.display}, {"image", row.count.image}};
   if (!row.count.printed_verdict.empty()) columns.emplace_back("printed_verdict", row.count.printed_verdict);
@@ -89,6 +101,7 @@ void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& option
   add("chose_test", static_cast<double>(row.count.chose_test.hits));
   if (row.count.participants > 0) add("participants", static_cast<double>(row.count.participants));
   add_interval(table, "chose_test_rate", row.rate, columns);
+  add_sensitivity(table, row, options, columns);
   add("critical_number", static_cast<double>(row.critical));
   add("passed", row.passed ? 1 : 0);
   add("p_value", row.p_value);

@@ -18,7 +18,8 @@ namespace plenolab {
 struct StudyOptions {
   double p_null = 0.19;  ///< rate that a pass refutes, in [0, 1)
   double alpha = 0.05;
-  double confidence = 0.95;  ///< of the exact intervals
+  double confidence = 0.95;  ///< of the intervals
+  IntervalMethod interval = IntervalMethod::kClopperPearson;
   EquivalenceOptions equivalence;
   /// True rates at which the power is stated; each in [0, 1].
   std::vector<double> alternatives{0.25, 0.5};
@@ -32,9 +33,9 @@ struct StudyRow {
   std::int64_t critical = 0;         ///< i_c; trials + 1: no count can pass
   bool passed = false;               ///< hits ≥ i_c, and nothing else
   double p_value = 1;                ///< P(X ≥ hits) at p_null
-  double log10_p = 0;                ///< also where p_value underflows
+  double log10_p = 0;                ///< also where p_value underflows; −∞ if the count is impossible
   double p_holm = 1, p_bh = 1;       ///< adjusted over all rows of the study
-  Interval rate;                     ///< Clopper-Pearson
+  Interval rate;                     ///< by options.interval
   double posterior_above_null = 0;   ///< P(rate > p_null | count), uniform prior
   std::vector<double> power;         ///< at the alternatives
   double equivalence_p = 1;          ///< of the exact TOST
@@ -76,11 +77,12 @@ std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& opti
 std::string verdict_word(const StudyRow& row);
 
 /// Long-form rows with the columns display and image: trials, chose_test, chose_test_rate and its _low and
-/// _high, critical_number, passed (1 or 0), p_value, log10_p, p_holm, p_benjamini_hochberg,
-/// posterior_above_null, power (column true_rate), equivalence_p, equivalent, equivalence_low_count and
-/// _high_count (absent where no count can), choice_left_rate, choice_left_p; with the column display alone
-/// (all displays: "all"): observer_left_rate, observer_left_p, catch_trials, catch_wrong_rate, lapse_rate,
-/// each with _low and _high; any_false_pass for the study. Column printed_verdict where there is one.
+/// _high, dprime (column model, with _low and _high), critical_number, passed (1 or 0), p_value, log10_p,
+/// p_holm, p_benjamini_hochberg, posterior_above_null, power (column true_rate), equivalence_p, equivalent,
+/// equivalence_low_count and _high_count (absent where no count can), choice_left_rate, choice_left_p; with
+/// the column display alone (all displays: "all"): observer_left_rate, observer_left_p, catch_trials,
+/// catch_wrong_rate, lapse_rate, each with _low and _high; any_false_pass for the study. Column
+/// printed_verdict where there is one.
 ResultTable study_table(const Study& study);
 
 /// Share of choices of the test image by image, a bar for each display with its exact interval, and the line

@@ -20,7 +20,7 @@ namespace {
 struct TableOptions {
   CommonOptions common;
   TestOptions test;
-  std::string file, mode = "real", plot;
+  std::string file, mode = "real", interval = "clopper-pearson", plot;
   double confidence = 0.95;
 };
 
@@ -35,6 +35,9 @@ StudyOptions study_options(const TableOptions& options) {
   study.p_null = options.test.rate;
   study.alpha = options.test.alpha;
   study.confidence = options.confidence;
+  study.interval = options.interval == "wilson"     ? IntervalMethod::kWilson
+                   : options.interval == "jeffreys" ? IntervalMethod::kJeffreys
+                                                    : IntervalMethod::kClopperPearson;
   study.equivalence.margin = options.test.margin;
   study.equivalence.alpha = options.test.alpha;
   study.alternatives = parse_numbers(options.test.true_rates, "--true-rate", 0, 1);
@@ -56,9 +59,10 @@ std::map<std::string, std::vector<Proportion>> by_participant(const std::vector<
   return result;
 }
 
-void add_participants(ResultTable& table, const std::vector<StudyTrial>& trials, double confidence) {
+void add_participants(ResultTable& table, const std::vector<StudyTrial>& trials,
+                      const StudyOptions& options) {
   for (const auto& display : by_participant(trials)) {
-    const BetaBinomialFit fit = fit_beta_binomial(display.second, confidence);
+    const BetaBinomialFit fit = fit_beta_binomial(display.second, options.confidence);
     if (!fit.identified) continue;
     const std::vector<std::pair<std::string, Cell>> columns{{"display", display.first}};
     const auto add = [&](const std::string& quantity, double value) {
@@ -69,6 +73,10 @@ void add_participants(ResultTable& table, const std::vector<StudyTrial>& trials,
     add("overdispersion_high", fit.overdispersion.high);
     add("overdispersion_p", fit.p_overdispersed);
     add("design_effect", fit.design_effect);
+    add("mean_rate", fit.rate.estimate);
+    add("mean_rate_low", fit.rate.low);
+    add("mean_rate_high", fit.rate.high);
+    add("mean_rate_above_null", beta_binomial_posterior_above(display.second, options.p_null));
   }
 }
 
@@ -174,7 +182,7 @@ void run_table(const Invocation& invocation, const TableOptions& options, bool m
     const auto trials = trials_of_mode(parse_study_trials(csv), mode_of(options.mode));
     study = analyse_trials(trials, study_with);
     table = study_table(study);
-    add_participants(table, trials, options.confidence);
+    add_participants(table, trials, study_with);
   } else {
     study = analyse_counts(parse_study_counts(csv), study_with);
     table = study_table(study);
@@ -196,9 +204,12 @@ void add_analyse_table(CLI::App& app, const Invocation& invocation) {
           ->capture_default_str()
           ->check(one_of({"real", "pilot", "simulated", "all"}));
   add_test_options(app, options->test);
-  app.add_option("--confidence", options->confidence, "Of the exact intervals")
+  app.add_option("--confidence", options->confidence, "Of the intervals")
       ->capture_default_str()
       ->check(number_between(0.5, 0.999999));
+  app.add_option("--interval", options->interval, "Of the rates: clopper-pearson (exact), wilson or jeffreys")
+      ->capture_default_str()
+      ->check(one_of({"clopper-pearson", "wilson", "jeffreys"}));
   add_plot_option(app, options->plot);
   add_common_options(app, options->common);
   app.footer("Example: plenolab analyse table counts.csv --plot results/choices");

@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include "analysis/psychophysics/dprime.h"
 #include "analysis/psychophysics/study_table.h"
 #include "core/base/error.h"
 #include "tests/support/message_of.h"
@@ -171,6 +172,21 @@ TEST(StudyTable, SurvivesExtremeCounts) {
       EXPECT_LT(study.rows[1].p_value, 0.05);
     }
   }
+}
+
+TEST(StudyTable, TakesTheIntervalAskedForAndGivesSensitivityOfTheRightAnswers) {
+  StudyOptions options;
+  options.interval = IntervalMethod::kWilson;
+  const Study study = analyse_counts({{"d", "i", {12, 34}, 0, ""}}, options);
+  EXPECT_NEAR(study.rows[0].rate.low, 0.214879205948795, 1e-12);  // R: prop.test(correct = FALSE)
+  const ResultTable table = study_table(study);
+  bool found = false;
+  for (const ResultRow& row : table.rows())
+    if (row.quantity == "dprime" && std::get<std::string>(row.columns.back().second) == "abx-independent") {
+      found = true;
+      EXPECT_NEAR(row.value, dprime_of(22.5 / 35, DprimeModel::kAbxIndependent), 1e-12);
+    }
+  EXPECT_TRUE(found);
 }
 
 TEST(StudyTable, RefusesOptionsOutOfRange) {
