@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 #include <iostream>
 #include <memory>
 
@@ -71,11 +72,19 @@ void tell_end(const SessionStore& store, SessionState state) {
     fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
 }
 
-void run_on_screen(SessionStore& store, const fs::path& images, const StageOptions& options) {
+/// Makes sure of display and pad before `begin` creates or opens the session: nothing is left by a failed
+/// start.
+void run_on_screen(const std::function<SessionStore()>& begin, const fs::path& images,
+                   const StageOptions& options) {
   const SdlLibrary sdl(SdlLibrary::Use::kScreen);
   SdlStage stage({options.window, options.screenshots});
   if (!options.keyboard && !stage.has_pad())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
+  SessionStore store = begin();
+  fmt::print("session {} ({}) {}\n", store.identity().participant,
+             store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real",
+             store.events().empty() ? "begins" : "goes on");
+  std::fflush(stdout);
   RunnerOptions runner{.images = images, .any_timing = options.any_timing};
   if (options.echo) runner.on_event = print_event;
   tell_end(store, run_session(store, stage, runner));
@@ -97,12 +106,11 @@ void run_new(const RunOptions& options) {
   require_trying_out(options.stage, mode);
   const fs::path sessions = sessions_folder(options.out, options.study);
   require_same_study(sessions, study, mode);
-  SessionStore store = SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
-                                            Durability::kPowerCut);
-  fmt::print("session {} ({}) begins\n", store.identity().participant,
-             mode == SessionMode::kPilot ? "PILOT: not data" : "real");
-  std::fflush(stdout);
-  run_on_screen(store, study_folder(options.study), options.stage);
+  const auto begin = [&] {
+    return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
+                                Durability::kPowerCut);
+  };
+  run_on_screen(begin, study_folder(options.study), options.stage);
 }
 
 /// Sessions of people that were interrupted; those in use by another station are not.
@@ -161,8 +169,8 @@ void resume(const ResumeOptions& options) {
     fmt::print("nothing was changed\n");
     return;
   }
-  SessionStore store = SessionStore::open(folder, Durability::kPowerCut);
-  run_on_screen(store, study_folder(options.study), options.stage);
+  run_on_screen([&] { return SessionStore::open(folder, Durability::kPowerCut); },
+                study_folder(options.study), options.stage);
 }
 
 }  // namespace

@@ -2,9 +2,23 @@
 
 #include <fmt/format.h>
 
+#include <cstdlib>
+
 #include "core/base/error.h"
 
 namespace plenolab {
+
+namespace {
+
+/// Where SDL finds no screen it draws into memory, and nobody would see the session. Who names such a driver
+/// in SDL_VIDEODRIVER wants it.
+bool fell_back_to_memory() {
+  const char* driver = SDL_GetCurrentVideoDriver();
+  const std::string name = driver ? driver : "";
+  return !std::getenv("SDL_VIDEODRIVER") && (name == "dummy" || name == "offscreen");
+}
+
+}  // namespace
 
 SdlLibrary::SdlLibrary(Use use) {
   SDL_SetMainReady();
@@ -18,6 +32,10 @@ SdlLibrary::SdlLibrary(Use use) {
     const std::string reason = SDL_GetError();
     SDL_Quit();
     throw InputError(fmt::format("cannot use display and pads: {}", reason));
+  }
+  if (use == Use::kScreen && fell_back_to_memory()) {
+    SDL_Quit();
+    throw InputError("there is no screen to show a session on: start it on a desktop, or set DISPLAY");
   }
 }
 

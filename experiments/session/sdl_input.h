@@ -11,7 +11,8 @@
 namespace plenolab {
 
 /// SDL is on from construction to destruction; the only place that initialises it. `headless`: the dummy
-/// video driver and no audio, for simulated participants. Throws InputError with SDL's reason.
+/// video driver and no audio, for simulated participants. Throws InputError with SDL's reason, or if there is
+/// no screen.
 class SdlLibrary {
  public:
   enum class Use { kScreen, kHeadless };

@@ -98,7 +98,7 @@ DisplayReport SdlStage::open_display(int screen) {
   SDL_StartTextInput();
   DisplayReport report{.screen = screen};
   const char* name = SDL_GetDisplayName(screen);
-  report.name = name ? name : "display";
+  report.name = fmt::format("{}: {}", SDL_GetCurrentVideoDriver(), name ? name : "display");
   SDL_DisplayMode mode;
   if (SDL_GetCurrentDisplayMode(screen, &mode) == 0) report.refresh_hz = mode.refresh_rate;
   SDL_RendererInfo info;

@@ -59,6 +59,7 @@ void require_same_study(const fs::path& sessions, const StudyDefinition& study, 
       throw InputError(fmt::format("{} holds {} sessions: keep {} ones in a folder of their own (-o)",
                                    sessions.string(), simulated ? "simulated" : "real or pilot",
                                    name_of(mode)));
+    if (!name.starts_with(name_of(mode))) continue;  // pilots of earlier versions harm nobody
     if (hash_in(folder).value_or(hash) != hash)
       throw InputError(fmt::format(
           "{} ran another version of the study: keep sessions of this one in a folder of their own (-o)",

@@ -27,8 +27,9 @@ std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
                                         const std::filesystem::path& sessions,
                                         const SimulationOptions& options);
 
-/// Sessions that another station is just running are taken on trust. Throws InputError if a session below
-/// `sessions` ran another study, or one of people shall be mixed with simulated ones.
+/// Throws InputError if a session of this mode below `sessions` ran another version of the study, or sessions
+/// of people would be mixed with simulated ones. Pilots of earlier versions do not matter to real sessions,
+/// and sessions that another station is just running are taken on trust.
 void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
                         SessionMode mode);
 

@@ -142,6 +142,27 @@ TEST(SessionCommand, RefusesToMixPilotsWithData) {
   expect_one_clear_sentence(run_program({"session", "new", folder.path()}), "never overwritten", 1);
 }
 
+TEST(SessionCommand, AStartThatFailsLeavesNoSession) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path());
+  const auto headless = [] {
+    ::setenv("SDL_VIDEODRIVER", "dummy", 1), ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  };
+  expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--pilot"}, headless),
+                            "no pad is connected", 1);
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
+  const auto no_screen = [] {
+    for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) ::unsetenv(name);
+    ::setenv("XDG_RUNTIME_DIR", "/nonexistent", 1);
+  };
+  const ProgramResult blind =
+      run_program({"session", "run", folder.path(), "--pilot", "--keyboard"}, no_screen);
+  EXPECT_EQ(blind.status, 1) << blind.err;
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
+  expect_one_clear_sentence(run_program({"session", "resume", folder.path()}, headless),
+                            "is no folder of sessions", 1);
+}
+
 TEST(SessionCommand, EverySubcommandExplainsItselfWithAnExample) {
   for (const char* command : {"new", "run", "resume", "simulate", "list", "export"}) {
     const ProgramResult result = run_program({"session", command, "--help"});

@@ -150,6 +150,7 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
               require_same_study(sessions, other, SessionMode::kReal);
             }).find("folder of their own"),
             std::string::npos);
+  EXPECT_EQ(message_of([&] { require_same_study(sessions, other, SessionMode::kSimulated); }), "");
   other.blank_ms = 300;
   EXPECT_NE(message_of([&] {
               require_same_study(sessions, other, SessionMode::kSimulated);

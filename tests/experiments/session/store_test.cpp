@@ -89,6 +89,20 @@ TEST(Store, RefusesASecondProgramButNotLaterOnes) {
   EXPECT_EQ(message_of([&] { SessionStore::open(sessions.path / "real-001", Durability::kPowerCut); }), "");
 }
 
+TEST(Store, RealSessionsFollowPilotsOfAnEarlierVersionButNotRealOnes) {
+  const Sessions sessions;
+  {
+    SessionStore::create(sessions.path, new_identity(sessions.study, SessionMode::kPilot, 1),
+                         Durability::kProcessEnd);
+  }
+  StudyDefinition changed = sessions.study;
+  changed.title = "With better texts";
+  const auto check = [&] { require_same_study(sessions.path, changed, SessionMode::kReal); };
+  EXPECT_EQ(message_of(check), "");
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
+  EXPECT_NE(message_of(check).find("real-001 ran another version"), std::string::npos);
+}
+
 TEST(Store, TheDatabaseItselfRefusesChangesAndRemovals) {
   const Sessions sessions;
   {
