@@ -15,6 +15,14 @@ function(plenolab_layer name folder)
   endif()
 endfunction()
 
+# Instrumented code takes twice as long to optimise as to compile: with sanitizers, layers that compute are optimised
+# and those that only call them are not.
+function(plenolab_compile_quickly target)
+  if(PLENOLAB_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
+endfunction()
+
 # plenolab_test(NAME FOLDER DEPENDS ...): one GoogleTest program of all sources below FOLDER.
 function(plenolab_test name folder)
   cmake_parse_arguments(ARG "" "" "DEPENDS" ${ARGN})
@@ -23,6 +31,7 @@ function(plenolab_test name folder)
     return()
   endif()
   add_executable(test_${name} ${sources})
+  plenolab_compile_quickly(test_${name})
   target_link_libraries(test_${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main)
   target_compile_definitions(test_${name} PRIVATE
     PLENOLAB_SOURCE_DIR="${CMAKE_SOURCE_DIR}" PLENOLAB_PROGRAM="${CMAKE_BINARY_DIR}/bin/plenolab")
