@@ -15,19 +15,6 @@ constexpr std::size_t kMostElements = 100000;
 constexpr std::size_t kMostText = 4000;
 }  // namespace
 
-nlohmann::json parse_bounded_json(std::string_view text, const std::string& name) {
-  constexpr int kMaxNesting = 8;
-  const auto bounded = [&](int depth, nlohmann::json::parse_event_t, nlohmann::json&) {
-    if (depth > kMaxNesting) throw InputError(fmt::format("{} is nested too deeply", name));
-    return true;
-  };
-  try {
-    return nlohmann::json::parse(text, bounded);
-  } catch (const nlohmann::json::exception& error) {
-    throw InputError(fmt::format("{} is not valid JSON: {}", name, error.what()));
-  }
-}
-
 JsonNode::JsonNode(const nlohmann::json& json, std::string file, std::string place)
     : json_(&json), file_(std::move(file)), place_(std::move(place)) {}
 

@@ -2,14 +2,9 @@
 
 #include <nlohmann/json_fwd.hpp>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace plenolab {
-
-/// Parses JSON of at most eight levels: the parser works recursively, and deep nesting would exhaust the
-/// stack. Throws InputError naming `name`.
-nlohmann::json parse_bounded_json(std::string_view text, const std::string& name);
 
 /// A JSON value with the name of its file and its place in it, so that every complaint can say where. Every
 /// reader throws InputError in one sentence, e.g. m.json: "records[0].sd_mm" must be a number, not string.

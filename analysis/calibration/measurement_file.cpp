@@ -9,10 +9,14 @@
 #include "analysis/calibration/record_fields.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/io/json_reader.h"
 
 namespace plenolab {
 
 namespace {
+
+/// The format has four levels.
+constexpr int kMaxNesting = 8;
 
 using Ordered = nlohmann::ordered_json;
 
@@ -205,7 +209,7 @@ std::string layout(const Ordered& json) {
 }  // namespace
 
 CalibrationMeasurements parse_measurements(std::string_view json, const std::string& name) {
-  const nlohmann::json document = parse_bounded_json(json, name);
+  const nlohmann::json document = parse_json(json, name, kMaxNesting);
   const JsonNode root(document, name, "");
   require_format(root, kMeasurementFormat);
   root.allow_only({"format", "version", "comment", "instrument", "parameters", "records"});
@@ -225,7 +229,7 @@ CalibrationMeasurements read_measurements(const std::filesystem::path& file) {
 }
 
 CalibrationRig parse_rig(std::string_view json, const std::string& name) {
-  const nlohmann::json document = parse_bounded_json(json, name);
+  const nlohmann::json document = parse_json(json, name, kMaxNesting);
   const JsonNode root(document, name, "");
   require_format(root, kRigFormat);
   root.allow_only(

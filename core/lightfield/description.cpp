@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/lightfield/json_reader.h"
+#include "core/io/json_reader.h"
 
 namespace plenolab {
 

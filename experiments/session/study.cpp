@@ -10,7 +10,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "core/lightfield/json_reader.h"
+#include "core/io/json_reader.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;

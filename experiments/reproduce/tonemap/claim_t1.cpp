@@ -128,7 +128,7 @@ void add_cellar(Laboratory& laboratory, ReproductionResult& result) {
        {"cellar"},
        fmt::format("RMS steps of display luminance across borders of visibility. The mapping by one curve "
                    "for all key views, which can only pass on steps of the noisy key views, has {} of those "
-                   "of the naive operator. Added after review.",
+                   "of the naive operator..",
                    mean(naive) > 0 ? fmt::format("{:.2f}", mean(one_curve) / mean(naive)) : "none")});
 }
 

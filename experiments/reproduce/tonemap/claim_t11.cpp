@@ -15,8 +15,8 @@ namespace {
 
 // Thresholds, fixed before the numbers were known:
 // Flattened means that contrast between indoors and outdoors gets less than half its share, that of a
-// straight line in log luminance over the view's range. Made stricter after review: 1, the limit before, was
-// one that every operator falls below, and not what the thesis calls very low contrast.
+// straight line in log luminance over the view's range. Made stricter after a first look: 1, the limit
+// before, was one that every operator falls below, and not what the thesis calls very low contrast.
 constexpr double kFlattenedShare = 0.5;
 // "A large part of the dynamic range of the display remains unused": a quarter at least.
 constexpr double kUsedLuma = 0.75;

@@ -105,8 +105,8 @@ ReproductionResult reproduce_claim_t13(Laboratory& laboratory) {
        {kScene},
        "How many times the change of luma per distance is larger between neighbouring key views than between "
        "the outermost columns, over the same number for histogram adjustment. The control is needed because "
-       "a path is never shorter than the way between its ends: any mapping has at least 1. Added after "
-       "review."});
+       "a path is never shorter than the way between its ends: any mapping has at least 1. Added after a "
+       "first look."});
   result.differs = outcome_words(result);
   return result;
 }

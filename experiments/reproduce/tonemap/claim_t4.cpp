@@ -116,7 +116,7 @@ ReproductionResult reproduce_claim_t4(Laboratory& laboratory) {
              uncertainty_over(with_source.size(), "pairs of neighbouring key views, which share two suns"),
              {"cellar", "dunes"},
              "Mean over the surfaces that both views show under the same light; strong means more than five "
-             "steps of an 8-bit display. Pairs of the Dunes were added after review."});
+             "steps of an 8-bit display. Pairs of the Dunes were added after a first look."});
   add_claim(
       result,
       {"A-T4b", "Altmeier 2018, section 5.1.5",

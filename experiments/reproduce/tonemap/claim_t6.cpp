@@ -111,7 +111,8 @@ ReproductionResult reproduce_claim_t6(Laboratory& laboratory) {
       {change, Comparison::kBelow, kHalf, "neighbour_luma_change_ratio", "1",
        uncertainty_over(numbers.joint_change.size(), "pairs of neighbouring key views"), scenes,
        "Change of luma of surfaces under the same light, joint over naive; removed means to less than half. "
-       "Changed after review: a step of an 8-bit display, the limit before, was one that the naive variant "
+       "Changed after a first look: a step of an 8-bit display, the limit before, was one that the naive "
+       "variant "
        "kept "
        "on average."});
   add_claim(result,

@@ -1,4 +1,4 @@
-#include "core/lightfield/json_reader.h"
+#include "core/io/json_reader.h"
 
 #include <fmt/format.h>
 
