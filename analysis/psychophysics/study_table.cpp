@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -36,15 +37,20 @@ StudyRow analyse_count(const StudyCount& count, const StudyOptions& options) {
 }
 
 void adjust_p_values(Study& study) {
-  std::vector<double> p_values;
+  std::vector<double> p_values, equivalence_p_values;
   double log_none = 0;
   for (const StudyRow& row : study.rows) {
     p_values.push_back(row.p_value);
+    equivalence_p_values.push_back(row.equivalence_p);
     log_none += std::log1p(-upper_tail(row.critical, row.count.chose_test.trials, study.options.p_null));
   }
   const std::vector<double> by_holm = holm(p_values), by_bh = benjamini_hochberg(p_values);
-  for (std::size_t i = 0; i < study.rows.size(); ++i)
-    study.rows[i].p_holm = by_holm[i], study.rows[i].p_bh = by_bh[i];
+  const std::vector<double> equivalence_by_holm = holm(equivalence_p_values);
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    study.rows[i].p_holm = by_holm[i];
+    study.rows[i].p_bh = by_bh[i];
+    study.rows[i].equivalence_p_holm = equivalence_by_holm[i];
+  }
   study.any_false_pass = -std::expm1(log_none);
 }
 
@@ -70,6 +76,24 @@ void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
           trial.display, those(trials, [&](const StudyTrial& t) { return t.display == trial.display; }),
           confidence));
   study.observers.push_back(summarise("", trials, confidence));
+}
+
+/// Why trials on a display with these lapses do not show that images look the same; empty if they may.
+std::string doubt_of_attention(const std::optional<LapseEstimate>& lapse, double most_lapses) {
+  if (!lapse) return "there were no catch trials, so nobody is known to have looked";
+  if (lapse->lapse.high <= most_lapses) return "";
+  return fmt::format(
+      "{} of {} catch trials were wrong, so participants may have guessed in up to {:.3g} % of trials, more "
+      "than {:.3g} %",
+      lapse->wrong.count.hits, lapse->wrong.count.trials, 100 * lapse->lapse.high, 100 * most_lapses);
+}
+
+std::string doubt(const StudyRow& row, const Study& study) {
+  if (row.repeated()) return "participants have several trials of the image, which are not independent";
+  const auto observer =
+      std::find_if(study.observers.begin(), study.observers.end(),
+                   [&](const ObserverSummary& o) { return o.display == row.count.display; });
+  return doubt_of_attention(observer->lapse, study.options.most_lapses);
 }
 
 void add_interval(ResultTable& table, const std::string& quantity, const Interval& interval,
@@ -115,7 +139,9 @@ void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& option
     table.add({"power", row.power[i], "1", with_rate});
   }
   add("equivalence_p", row.equivalence_p);
+  add("equivalence_p_holm", row.equivalence_p_holm);
   add("equivalent", row.equivalent() ? 1 : 0);
+  add("indistinguishable", row.indistinguishable(options.equivalence) ? 1 : 0);
   if (!row.equivalence.empty()) {
     add("equivalence_low_count", static_cast<double>(row.equivalence.low));
     add("equivalence_high_count", static_cast<double>(row.equivalence.high));
@@ -148,6 +174,8 @@ void StudyOptions::validate() const {
   if (!(alpha > 0 && alpha < 1)) throw InputError(fmt::format("alpha is {} but must lie in (0, 1)", alpha));
   if (!(confidence > 0 && confidence < 1))
     throw InputError(fmt::format("confidence is {} but must lie in (0, 1)", confidence));
+  if (!(most_lapses >= 0 && most_lapses <= 1))
+    throw InputError(fmt::format("the largest share of lapses is {} but must lie in [0, 1]", most_lapses));
   for (const double p : alternatives)
     if (!(p >= 0 && p <= 1)) throw InputError(fmt::format("the true rate {} must lie in [0, 1]", p));
 }
@@ -171,6 +199,7 @@ Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& 
                                    }),
                              options.confidence);
   add_observers(study, trials);
+  for (StudyRow& row : study.rows) row.withheld = doubt(row, study);
   return study;
 }
 
@@ -183,9 +212,16 @@ std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& opti
   if (row.equivalence.empty())
     return fmt::format("no count of {} trials could show that the rate lies within {}",
                        row.count.chose_test.trials, margin);
+  const std::string p_values = fmt::format("TOST p = {}, Holm {}", format_number(row.equivalence_p, 3),
+                                           format_number(row.equivalence_p_holm, 3));
+  if (row.indistinguishable(options))
+    return fmt::format("indistinguishable within {} ({}){}", margin, p_values,
+                       row.count.participants == 0 ? " if observers looked, which counts do not tell" : "");
+  if (row.equivalence_p_holm < options.alpha)
+    return fmt::format("the rate lies within {} ({}), but {}", margin, p_values, row.withheld);
   if (row.equivalent())
-    return fmt::format("indistinguishable within {} (TOST p = {})", margin,
-                       format_number(row.equivalence_p, 3));
+    return fmt::format("that the rate lies within {} is not shown after Holm's correction ({})", margin,
+                       p_values);
   return fmt::format("that the rate lies within {} is not shown (it takes {} to {})", margin,
                      row.equivalence.low, row.equivalence.high);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
 
 #include "analysis/psychophysics/beta_binomial.h"
 #include "analysis/psychophysics/study_table.h"
@@ -21,7 +22,7 @@ struct TableOptions {
   CommonOptions common;
   TestOptions test;
   std::string file, mode = "real", interval = "clopper-pearson", plot;
-  double confidence = 0.95;
+  double confidence = 0.95, most_lapses = StudyOptions{}.most_lapses;
 };
 
 TrialMode mode_of(const std::string& word) {
@@ -35,6 +36,7 @@ StudyOptions study_options(const TableOptions& options) {
   study.p_null = options.test.rate;
   study.alpha = options.test.alpha;
   study.confidence = options.confidence;
+  study.most_lapses = options.most_lapses;
   study.interval = options.interval == "wilson"     ? IntervalMethod::kWilson
                    : options.interval == "jeffreys" ? IntervalMethod::kJeffreys
                                                     : IntervalMethod::kClopperPearson;
@@ -90,7 +92,8 @@ std::vector<WideColumn> columns_for_people(const Study& study) {
                                   {"p_value", "p"},
                                   {"p_holm", "Holm"},
                                   {"p_benjamini_hochberg", "BH"},
-                                  {"equivalence_p", "TOST p"}};
+                                  {"equivalence_p", "TOST p"},
+                                  {"equivalence_p_holm", "TOST Holm"}};
   if (!study.observers.empty()) columns.push_back({"choice_left_rate", "chose left"});
   return columns;
 }
@@ -129,11 +132,15 @@ void warn_of_repeated_trials(const Study& study) {
       "intervals are too sure; the overdispersion says by how much.\n");
 }
 
+/// Once for each number of trials: power depends on nothing else of a row.
 void print_power(const Study& study) {
-  const StudyRow& row = study.rows.front();
-  for (std::size_t i = 0; i < row.power.size(); ++i)
-    fmt::print("Power: an image whose true rate is {:g} passes with probability {:.3f}.\n",
-               study.options.alternatives[i], row.power[i]);
+  std::set<std::int64_t> said;
+  for (const StudyRow& row : study.rows) {
+    if (!said.insert(row.count.chose_test.trials).second) continue;
+    for (std::size_t i = 0; i < row.power.size(); ++i)
+      fmt::print("Power of {} trials: an image whose true rate is {:g} passes with probability {:.3f}.\n",
+                 row.count.chose_test.trials, study.options.alternatives[i], row.power[i]);
+  }
 }
 
 /// Whether the same is to be said about the equivalence of all rows.
@@ -210,6 +217,10 @@ void add_analyse_table(CLI::App& app, const Invocation& invocation) {
   app.add_option("--interval", options->interval, "Of the rates: clopper-pearson (exact), wilson or jeffreys")
       ->capture_default_str()
       ->check(one_of({"clopper-pearson", "wilson", "jeffreys"}));
+  app.add_option("--most-lapses", options->most_lapses,
+                 "Largest upper end of the share of lapses with which images may be called indistinguishable")
+      ->capture_default_str()
+      ->check(number_between(0, 1));
   add_plot_option(app, options->plot);
   add_common_options(app, options->common);
   app.footer("Example: plenolab analyse table counts.csv --plot results/choices");

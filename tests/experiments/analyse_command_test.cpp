@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "analysis/psychophysics/planning.h"
 #include "tests/experiments/plane_field.h"
 
 namespace plenolab {
@@ -66,6 +68,20 @@ TEST_F(Analyse, TableOfCountsSaysWhatPassingMeansAndDrawsIt) {
   EXPECT_NE(result.out.find("no count of 34 trials could show"), std::string::npos);
   EXPECT_EQ(result.out.find("indistinguishable"), std::string::npos);
   EXPECT_TRUE(fs::exists(folder_.path() / "choices.svg"));
+}
+
+TEST_F(Analyse, PowerIsToldForEachNumberOfTrials) {
+  const fs::path counts = written("counts.csv", "display,image,n,k\nm,1,34,12\nm,2,100,40\nm,3,34,6\n");
+  const ProgramResult result = run_program({"analyse", "table", counts, "--true-rate", "0.35"});
+  const auto told = [&](int trials, double power) {
+    return result.out.find(
+        fmt::format("Power of {} trials: an image whose true rate is 0.35 passes with probability {:.3f}.",
+                    trials, power));
+  };
+  const std::size_t first = told(34, test_power(34, 0.19, 0.35));
+  ASSERT_NE(first, std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("Power of 34", first + 1), std::string::npos);
+  EXPECT_NE(told(100, test_power(100, 0.19, 0.35)), std::string::npos) << result.out;
 }
 
 TEST_F(Analyse, TrialsOfOtherModesDoNotCountUnlessAskedFor) {
