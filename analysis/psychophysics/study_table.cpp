@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -64,7 +65,8 @@ std::vector<StudyTrial> those(const std::vector<StudyTrial>& trials, const Keep&
 
 ObserverSummary summarise(const std::string& display, const std::vector<StudyTrial>& trials,
                           double confidence) {
-  return {display, position_bias(trials, confidence), lapse_rate(trials, confidence)};
+  return {display, position_bias(trials, confidence), lapse_rate(trials, confidence),
+          participant_effect(trials, {.confidence = confidence})};
 }
 
 void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
@@ -76,6 +78,19 @@ void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
           trial.display, those(trials, [&](const StudyTrial& t) { return t.display == trial.display; }),
           confidence));
   study.observers.push_back(summarise("", trials, confidence));
+}
+
+RepeatedTrials repeated_trials(const std::vector<StudyTrial>& of_image, const StudyOptions& options) {
+  std::map<std::string, Proportion> counts;
+  for (const StudyTrial& trial : of_image) {
+    Proportion& count = counts[trial.participant];
+    ++count.trials;
+    count.hits += trial.chose_test ? 1 : 0;
+  }
+  std::vector<Proportion> participants;
+  for (const auto& entry : counts) participants.push_back(entry.second);
+  return {fit_beta_binomial(participants, options.confidence),
+          beta_binomial_posterior_above(participants, options.p_null)};
 }
 
 /// Why trials on a display with these lapses do not show that images look the same; empty if they may.
@@ -115,6 +130,15 @@ void add_sensitivity(ResultTable& table, const StudyRow& row, const StudyOptions
   }
 }
 
+void add_repeats(ResultTable& table, const RepeatedTrials& repeats, const Columns& columns) {
+  if (!repeats.fit.identified) return;
+  add_interval(table, "overdispersion", repeats.fit.overdispersion, columns);
+  table.add({"overdispersion_p", repeats.fit.p_overdispersed, "1", columns});
+  table.add({"design_effect", repeats.fit.design_effect, "1", columns});
+  add_interval(table, "mean_rate", repeats.fit.rate, columns);
+  table.add({"mean_rate_above_null", repeats.rate_above_null, "1", columns});
+}
+
 void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& options) {
   Columns columns{{"display", row.count.display}, {"image", row.count.image}};
   if (!row.count.printed_verdict.empty()) columns.emplace_back("printed_verdict", row.count.printed_verdict);
@@ -150,6 +174,7 @@ void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& option
     add("choice_left_rate", row.bias->left.interval.estimate);
     add("choice_left_p", row.bias->p_value);
   }
+  if (row.repeats) add_repeats(table, *row.repeats, columns);
 }
 
 void add_observer_rows(ResultTable& table, const ObserverSummary& observer) {
@@ -162,6 +187,10 @@ void add_observer_rows(ResultTable& table, const ObserverSummary& observer) {
     table.add({"catch_trials", static_cast<double>(observer.lapse->wrong.count.trials), "1", columns});
     add_interval(table, "catch_wrong_rate", observer.lapse->wrong.interval, columns);
     add_interval(table, "lapse_rate", observer.lapse->lapse, columns);
+  }
+  if (observer.participants) {
+    add_interval(table, "participant_correlation", observer.participants->correlation, columns);
+    table.add({"participant_effect_p", observer.participants->p_value, "1", columns});
   }
 }
 
@@ -191,13 +220,13 @@ Study analyse_counts(const std::vector<StudyCount>& counts, const StudyOptions& 
 
 Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& options) {
   Study study = analyse_counts(count_choices(trials), options);
-  for (StudyRow& row : study.rows)
-    row.bias = position_bias(those(trials,
-                                   [&](const StudyTrial& t) {
-                                     return !t.is_catch && t.display == row.count.display &&
-                                            t.image == row.count.image;
-                                   }),
-                             options.confidence);
+  for (StudyRow& row : study.rows) {
+    const auto of_image = those(trials, [&](const StudyTrial& t) {
+      return !t.is_catch && t.display == row.count.display && t.image == row.count.image;
+    });
+    row.bias = position_bias(of_image, options.confidence);
+    if (row.repeated()) row.repeats = repeated_trials(of_image, options);
+  }
   add_observers(study, trials);
   for (StudyRow& row : study.rows) row.withheld = doubt(row, study);
   return study;

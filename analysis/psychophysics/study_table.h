@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "analysis/plot.h"
+#include "analysis/psychophysics/beta_binomial.h"
 #include "analysis/psychophysics/equivalence.h"
 #include "analysis/psychophysics/observer.h"
+#include "analysis/psychophysics/participant_effect.h"
 #include "analysis/psychophysics/study_data.h"
 #include "analysis/result_table.h"
 
@@ -32,6 +34,12 @@ struct StudyOptions {
   void validate() const;
 };
 
+/// How far participants differ in their trials of one image.
+struct RepeatedTrials {
+  BetaBinomialFit fit;
+  double rate_above_null = 0;  ///< posterior probability that the mean rate is above p_null
+};
+
 struct StudyRow {
   StudyCount count;
   std::int64_t critical = 0;         ///< i_c; trials + 1: no count can pass
@@ -46,6 +54,7 @@ struct StudyRow {
   double equivalence_p_holm = 1;     ///< adjusted over all rows of the study
   EquivalenceRegion equivalence;     ///< counts that show equivalence at this number of trials
   std::optional<PositionBias> bias;  ///< of the row's trials; absent for counts
+  std::optional<RepeatedTrials> repeats;  ///< where repeated()
   /// Why "indistinguishable" is withheld whatever the test of equivalence says, as a clause; empty if nothing
   /// speaks against it. Counts alone tell nothing of lapses: for them it is empty.
   std::string withheld;
@@ -66,6 +75,7 @@ struct ObserverSummary {
   std::string display;
   std::optional<PositionBias> bias;
   std::optional<LapseEstimate> lapse;
+  std::optional<ParticipantEffect> participants;  ///< given the rates of images; absent if it cannot be told
 };
 
 struct Study {
@@ -94,10 +104,11 @@ std::string verdict_word(const StudyRow& row);
 /// _high, dprime (column model, with _low and _high), critical_number, passed (1 or 0), p_value, log10_p,
 /// p_holm, p_benjamini_hochberg, posterior_above_null, power (column true_rate), equivalence_p and its _holm,
 /// equivalent (1 or 0, the row by itself), indistinguishable (1 or 0), equivalence_low_count and _high_count
-/// (absent where no count can), choice_left_rate, choice_left_p; with
-/// the column display alone (all displays: "all"): observer_left_rate, observer_left_p, catch_trials,
-/// catch_wrong_rate, lapse_rate, each with _low and _high; any_false_pass for the study. Column
-/// printed_verdict where there is one.
+/// (absent where no count can), choice_left_rate, choice_left_p; where participants repeat an image and the
+/// data can tell, overdispersion and mean_rate (with _low and _high), overdispersion_p, design_effect and
+/// mean_rate_above_null. With the column display alone (all displays: "all"): observer_left_rate,
+/// observer_left_p, catch_trials, catch_wrong_rate, lapse_rate and participant_correlation, rates with _low
+/// and _high, participant_effect_p. any_false_pass for the study. Column printed_verdict where there is one.
 ResultTable study_table(const Study& study);
 
 /// Share of choices of the test image by image, a bar for each display with its exact interval, and the line

@@ -98,6 +98,23 @@ TEST_F(Analyse, TrialsOfOtherModesDoNotCountUnlessAskedFor) {
                             "no trial is of mode 'pilot'");
 }
 
+TEST_F(Analyse, TrialsTellWhetherParticipantsDifferGivenTheImages) {
+  std::string text =
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n";
+  for (int p = 0; p < 40; ++p)
+    for (int i = 0; i < 4; ++i)  // odd participants see nothing in images 1 and 3, even ones see all
+      text += fmt::format("P{},real,b1,1,monitor,ab,{},{},0,{},{},2.5,1,1,1,0\n", p, i + 1, i, p / 2 % 2,
+                          p % 2 * (i % 2));
+  const fs::path trials = written("trials.csv", text);
+  EXPECT_LT(run_for({"analyse", "table", trials}, "participant_effect_p"), 0.01);
+  EXPECT_EQ(run_for({"analyse", "table", trials}, "participant_correlation"), 1);
+  EXPECT_TRUE(std::isnan(run_for({"analyse", "table", trials}, "overdispersion")));
+  const ProgramResult result = run_program({"analyse", "table", trials});
+  EXPECT_NE(result.out.find("monitor: participants differ"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("several trials of one image"), std::string::npos);
+}
+
 TEST_F(Analyse, FitsLevelsAndSaysWhenTheyDetermineNothing) {
   const fs::path good = written("good.csv", "x,n,k\n1,40,20\n2,40,25\n3,40,33\n4,40,39\n5,40,40\n");
   EXPECT_EQ(run_for({"analyse", "psychometric", good, "--resamples", "100"}, "determined"), 1);

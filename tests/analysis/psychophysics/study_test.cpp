@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "analysis/psychophysics/dprime.h"
@@ -221,6 +222,30 @@ TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsRepeatAnImage) {
   const std::string text = equivalence_of_first(trials);
   EXPECT_TRUE(text.ends_with("but participants have several trials of the image, which are not independent"))
       << text;
+}
+
+TEST(StudyTable, OverdispersionIsThatOfOneImageAndOnlyWhereItIsRepeated) {
+  const auto repeated_by = [](int tenth) {
+    std::vector<StudyTrial> trials = guessers(200, 1, 0);
+    for (StudyTrial& trial : trials)
+      trial.participant = fmt::format("P{}", std::stoi(trial.participant.substr(1)) % tenth);
+    return analyse_trials(trials);
+  };
+  const auto overdispersion_rows = [](const Study& study) {
+    const ResultTable table = study_table(study);
+    return std::count_if(table.rows().begin(), table.rows().end(),
+                         [](const ResultRow& row) { return row.quantity == "overdispersion"; });
+  };
+  const Study once = repeated_by(200), often = repeated_by(20);
+  EXPECT_FALSE(once.rows[0].repeats);
+  EXPECT_EQ(overdispersion_rows(once), 0);
+  // Of 20 participants with ten trials of an image each, every second always takes the test image.
+  ASSERT_TRUE(often.rows[0].repeats);
+  EXPECT_EQ(overdispersion_rows(often), 2);
+  EXPECT_GT(often.rows[0].repeats->fit.overdispersion.low, 0.9);
+  EXPECT_NEAR(often.rows[0].repeats->fit.design_effect, 10, 0.1);
+  ASSERT_TRUE(once.observers[0].participants);
+  EXPECT_LT(once.observers[0].participants->p_value, 0.01);
 }
 
 TEST(StudyTable, EquivalenceIsCorrectedForTheNumberOfRows) {
