@@ -105,17 +105,19 @@ struct Scales {
   float visible = 1, invisible = 1;
 };
 
-/// Multiplies the probabilities that there is no distortion, kept in `clean`, by those of one band.
+/// Multiplies the probabilities that a pixel has no distortion by those of one band. Few pixels meet a
+/// condition; probabilities are computed for these alone.
 void account(const Contrasts& c, const Scales& scales, float& no_loss, float& no_amplification,
              float& no_reversal) {
-  const float magnitude_test = std::abs(c.test), magnitude_reference = std::abs(c.reference);
-  const float seen_test = 1 - undetected(c.test, scales.visible);
-  const float seen_reference = 1 - undetected(c.reference, scales.visible);
-  if (c.largest_test < magnitude_reference)
-    no_loss *= 1 - seen_reference * undetected(c.largest_test, scales.invisible);
-  if (c.largest_reference < magnitude_test)
-    no_amplification *= 1 - seen_test * undetected(c.largest_reference, scales.invisible);
-  if (c.test * c.reference < 0) no_reversal *= 1 - seen_reference * seen_test;
+  if (c.largest_test < std::abs(c.reference))
+    no_loss *=
+        1 - (1 - undetected(c.reference, scales.visible)) * undetected(c.largest_test, scales.invisible);
+  if (c.largest_reference < std::abs(c.test))
+    no_amplification *=
+        1 - (1 - undetected(c.test, scales.visible)) * undetected(c.largest_reference, scales.invisible);
+  if (c.test * c.reference < 0)
+    no_reversal *=
+        1 - (1 - undetected(c.reference, scales.visible)) * (1 - undetected(c.test, scales.visible));
 }
 
 void account_band(DrimMaps& clean, const std::array<BandContrast, 2>& band, const Scales& scales,

@@ -14,7 +14,8 @@ namespace {
 constexpr int kLevels = 6;  // 0.001 … 100 cd/m²
 constexpr double kLogLowest = -3;
 constexpr int kRowsAtOnce = 32;
-constexpr int kTableSize = 16384;
+constexpr int kTableSize = 4096;
+constexpr double kHighestCpd = 100;  // nothing is seen beyond
 
 double mean_of(const Plane<float>& plane) {
   double sum = 0;
@@ -65,13 +66,14 @@ void add_levels(Plane<float>& sum, const Spectrum& filtered, const Plane<float>&
 
 SensitivityFilter::SensitivityFilter(double adaptation_cd_m2, double pupil_mm,
                                      const ViewingConditions& viewing)
-    : pixels_per_degree_(viewing.pixels_per_degree), pupil_mm_(pupil_mm) {
+    : pixels_per_degree_(viewing.pixels_per_degree) {
   const ContrastSensitivity sensitivity(adaptation_cd_m2, viewing.distance_m);
   const double peak = sensitivity.peak().sensitivity / 250;
   falloff_axis_ = sensitivity.falloff(1);
   falloff_diagonal_ = sensitivity.falloff(-1);
   // The highest frequency, in a corner of the spectrum, over the smallest falloff.
-  const double highest = 0.7072 * pixels_per_degree_ / std::min({falloff_axis_, falloff_diagonal_, 1.0});
+  const double highest =
+      std::min(0.7072 * pixels_per_degree_ / std::min({falloff_axis_, falloff_diagonal_, 1.0}), kHighestCpd);
   steps_per_cpd_ = (kTableSize - 2) / highest;
   for (int i = 0; i < kTableSize; ++i) {
     const double frequency = i / steps_per_cpd_;
@@ -81,7 +83,7 @@ SensitivityFilter::SensitivityFilter(double adaptation_cd_m2, double pupil_mm,
 }
 
 double SensitivityFilter::basic(double frequency_cpd) const {
-  const double position = frequency_cpd * steps_per_cpd_;
+  const double position = std::min(frequency_cpd * steps_per_cpd_, kTableSize - 2.0);
   const auto below = static_cast<std::size_t>(position);
   const double t = position - static_cast<double>(below);
   return (1 - t) * static_cast<double>(basic_[below]) + t * static_cast<double>(basic_[below + 1]);
@@ -94,7 +96,7 @@ double SensitivityFilter::operator()(double x, double y) const {
   const double diagonality = 4 * xx * yy / (squared * squared);  // (1 − cos4θ)/2
   const double falloff = falloff_axis_ + diagonality * (falloff_diagonal_ - falloff_axis_);
   const double sensitivity = std::min(basic(frequency), basic(frequency / falloff));
-  const auto nearest = static_cast<std::size_t>(frequency * steps_per_cpd_ + 0.5);
+  const auto nearest = static_cast<std::size_t>(std::min(frequency * steps_per_cpd_ + 0.5, kTableSize - 1.0));
   const double transfer = static_cast<double>(transfer_[nearest]);
   return sensitivity >= transfer ? 1 : sensitivity / transfer;
 }

@@ -28,7 +28,7 @@ class SensitivityFilter {
  private:
   double basic(double frequency_cpd) const;
 
-  double pixels_per_degree_, pupil_mm_;
+  double pixels_per_degree_;
   double falloff_axis_, falloff_diagonal_;
   double steps_per_cpd_;
   std::vector<float> basic_;     ///< S1 over its peak, at equal steps
