@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
+#include "metrics/fill_invalid.h"
 #include "metrics/vision/cortex.h"
 #include "metrics/vision/perceived_contrast.h"
 #include "metrics/vision/spectrum.h"
@@ -137,21 +138,6 @@ void account_band(DrimMaps& clean, const std::array<BandContrast, 2>& band, cons
 
 void turn_into_probabilities(Plane<float>& clean) {
   for (float& v : clean.pixels()) v = std::clamp(1 - v, 0.0f, 1.0f);
-}
-
-/// The average luminance of the valid pixels in place of the others.
-Plane<float> fill_invalid(Plane<float> luminance, const Mask* valid) {
-  if (valid == nullptr) return luminance;
-  double sum = 0;
-  std::int64_t count = 0;
-  for (std::size_t i = 0; i < luminance.size(); ++i) {
-    if (!is_valid(valid, i)) continue;
-    sum += static_cast<double>(luminance.pixels()[i]);
-    ++count;
-  }
-  for (std::size_t i = 0; i < luminance.size(); ++i)
-    if (!is_valid(valid, i)) luminance.pixels()[i] = static_cast<float>(sum / static_cast<double>(count));
-  return luminance;
 }
 
 DrimMaps valid_maps(const Plane<float>& test, const Plane<float>& reference,

@@ -7,8 +7,10 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "metrics/brisque.h"
 #include "metrics/difference.h"
 #include "metrics/drim.h"
+#include "metrics/feature_distortion.h"
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"
 #include "metrics/tmqi.h"
@@ -82,6 +84,16 @@ std::vector<MetricQuantity> tmqi_quantities() {
        "How usual mean luma and deviation are in photographs.", false}};
 }
 
+std::vector<MetricQuantity> feature_quantities(const std::string& name) {
+  const auto quantity = [&](const std::string& part, std::string meaning) {
+    return MetricQuantity{name + part, "1", Better::kLower, 0, 1, kDependsOnImage, std::move(meaning), false};
+  };
+  return {quantity("", "Mean of the three distortions."),
+          quantity("_brightness", "Difference of mean luma from that of the photographs."),
+          quantity("_saliency", "How far saliency lies elsewhere than in the photographs."),
+          quantity("_detail", "Gradient energy lost in the darkest and brightest quarter.")};
+}
+
 /// One line a metric.
 std::vector<Metric> make_table() {
   return {
@@ -136,6 +148,20 @@ std::vector<Metric> make_table() {
        .symmetric = false,
        .quantities = tmqi_quantities(),
        .compare_mapped = tmqi},
+      {.name = "feature_photographic",
+       .family = "feature",
+       .summary = "Brightness, saliency and detail against virtual photographs (after Gao et al. 2017).",
+       .symmetric = false,
+       .quantities = feature_quantities("feature_photographic"),
+       .compare_mapped = feature_photographic},
+      {.name = "brisque_plenolab",
+       .family = "brisque",
+       .summary = "Features of BRISQUE (Mittal et al. 2012) in a regressor trained on plenolab's scenes; not "
+                  "the published score.",
+       .symmetric = false,
+       .quantities = {{"brisque_plenolab", "1", Better::kLower, 0, 100, kDependsOnImage,
+                       "How unlike undistorted pictures the statistics of the image are.", false}},
+       .judge = brisque_plenolab},
   };
 }
 
