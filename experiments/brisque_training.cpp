@@ -129,6 +129,16 @@ void add_pictures(std::vector<TrainingPicture>& pictures, const std::string& sce
   }
 }
 
+/// Means of 2×2 pixels: a quarter of the noise's power, so that what counts as undistorted is smooth.
+SceneImage halved(const SceneImage& view) {
+  SceneImage half(view.width() / 2, view.height() / 2);
+  for (int y = 0; y < half.height(); ++y)
+    for (int x = 0; x < half.width(); ++x)
+      half.at(x, y) = 0.25f * (view.at(2 * x, 2 * y) + view.at(2 * x + 1, 2 * y) + view.at(2 * x, 2 * y + 1) +
+                               view.at(2 * x + 1, 2 * y + 1));
+  return half;
+}
+
 std::vector<SceneImage> views_of(const SceneEntry& entry, const BrisqueTrainingOptions& options) {
   const PreparedScene scene(entry.build());
   ViewGrid grid = grid_of(scene.scene(), Preset::kQuick);
@@ -141,7 +151,8 @@ std::vector<SceneImage> views_of(const SceneEntry& entry, const BrisqueTrainingO
   std::vector<SceneImage> views;
   for (const CameraPosition position :
        {CameraPosition{0, 0}, {0.5 * (grid.columns - 1), 0.5 * (grid.rows - 1)}})
-    views.push_back(render_view_cached(scene, grid, position, settings, options.cache).rendered.view.colour);
+    views.push_back(
+        halved(render_view_cached(scene, grid, position, settings, options.cache).rendered.view.colour));
   return views;
 }
 

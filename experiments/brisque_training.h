@@ -17,7 +17,7 @@ struct BrisqueTrainingOptions {
   std::uint64_t seed = 1;
   int threads = 0;
   int paths_per_pixel = 64;  ///< of the views, a multiple of 16
-  int width = 384;           ///< px, of the views, [16, 4096]
+  int width = 384;           ///< px, of the rendered views, [64, 4096]; pictures have half of it
   double ridge = 1;          ///< penalty on squared weights, thousandths of the number of pictures, > 0
 };
 

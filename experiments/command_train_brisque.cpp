@@ -88,8 +88,9 @@ void add_train_brisque_command(CLI::App& app, const Invocation& invocation) {
                  "Paths per pixel of the views, a multiple of 16")
       ->check(multiple_of(16, 65536))
       ->capture_default_str();
-  app.add_option("--width", options->training.width, "Width of the views, px")
-      ->check(whole_number(16, 4096))
+  app.add_option("--width", options->training.width,
+                 "Width of the rendered views, px; pictures have half of it")
+      ->check(whole_number(64, 4096))
       ->capture_default_str();
   app.add_option("--ridge", options->training.ridge,
                  "Penalty on squared weights, in thousandths of a picture each")

@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/image/colour.h"
+#include "core/tonemap/content_adaptive.h"
 #include "metrics/fill_invalid.h"
 
 namespace plenolab {
@@ -155,6 +156,18 @@ void merge_features(FeatureReference& reference, const std::vector<PhotographFea
   }
 }
 
+std::vector<Measurement> measure_features(const std::string& name, const DisplayImage& test,
+                                          const Plane<float>& luminance, const FeatureOptions& options,
+                                          const ComparisonConditions& conditions) {
+  const FeatureReference features =
+      feature_reference(luminance, options, conditions.valid, conditions.threads);
+  const FeatureDistortion d = feature_distortion(test, features, options, conditions.valid);
+  return {{name, d.total, "1"},
+          {name + "_brightness", d.brightness, "1"},
+          {name + "_saliency", d.saliency, "1"},
+          {name + "_detail", d.detail, "1"}};
+}
+
 }  // namespace
 
 void FeatureOptions::validate() const {
@@ -177,6 +190,13 @@ Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, dou
     luma.pixels()[i] = gamma_encode(static_cast<float>(scaled / (1 + scaled)));
   }
   return luma;
+}
+
+Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double) {
+  const auto pixels = windowed_luminance.pixels();
+  const float largest = *std::max_element(pixels.begin(), pixels.end());
+  const PqHistogram histogram = measure_pq_histogram(windowed_luminance, static_cast<double>(largest), 1);
+  return apply_curve(fit_curve({}, histogram), windowed_luminance);
 }
 
 Plane<float> saliency_of(const Plane<float>& luma, const Mask* valid) {
@@ -241,14 +261,16 @@ FeatureDistortion feature_distortion(const DisplayImage& test, const FeatureRefe
 std::vector<Measurement> feature_photographic(const DisplayImage& test, const SceneImage& reference,
                                               const ComparisonConditions& conditions) {
   check_comparable(test, reference, conditions);
-  const FeatureOptions options;
-  const FeatureReference features =
-      feature_reference(scene_luminance(reference, 1), options, conditions.valid, conditions.threads);
-  const FeatureDistortion d = feature_distortion(test, features, options, conditions.valid);
-  return {{"feature_photographic", d.total, "1"},
-          {"feature_photographic_brightness", d.brightness, "1"},
-          {"feature_photographic_saliency", d.saliency, "1"},
-          {"feature_photographic_detail", d.detail, "1"}};
+  return measure_features("feature_photographic", test, scene_luminance(reference, 1), {}, conditions);
+}
+
+std::vector<Measurement> feature_content_adaptive(const DisplayImage& test, const SceneImage& reference,
+                                                  const ComparisonConditions& conditions) {
+  check_comparable(test, reference, conditions);
+  FeatureOptions options;
+  options.photograph = content_adaptive_photograph;
+  return measure_features("feature_content_adaptive", test,
+                          scene_luminance(reference, conditions.cd_m2_per_unit), options, conditions);
 }
 
 }  // namespace plenolab

@@ -22,11 +22,15 @@ using Photograph = std::function<Plane<float>(const Plane<float>& windowed_lumin
 /// log average: s = L/centre, luma = (s/(1 + s))^(1/2.2).
 Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, double centre);
 
+/// Zhao's version: the content adaptive operator (core/tonemap/content_adaptive.h, default options) fitted to
+/// the window. Luminance has to be in cd/m².
+Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double centre);
+
 struct FeatureOptions {
   double step_ev = 2;         ///< between exposure centres, (0, 16]
   double half_window_ev = 3;  ///< a photograph shows centre·2^±this, (0, 16]
   double brightness_weight = 1, saliency_weight = 1, detail_weight = 1;  ///< ≥ 0, not all 0
-  Photograph photograph = photographic_photograph;  ///< the content adaptive operator for Zhao's version
+  Photograph photograph = photographic_photograph;
 
   /// Throws InputError naming the first value out of range.
   void validate() const;
@@ -66,7 +70,11 @@ Plane<float> saliency_of(const Plane<float>& luma, const Mask* valid = nullptr);
 
 /// feature_photographic, _brightness, _saliency and _detail: distortions with Gao's photographs and default
 /// options, unit "1". The scale of the reference does not matter.
+/// feature_content_adaptive, _brightness … : the same with Zhao's photographs, of a reference in cd/m² after
+/// scaling by cd_m2_per_unit.
 std::vector<Measurement> feature_photographic(const DisplayImage& test, const SceneImage& reference,
                                               const ComparisonConditions& conditions);
+std::vector<Measurement> feature_content_adaptive(const DisplayImage& test, const SceneImage& reference,
+                                                  const ComparisonConditions& conditions);
 
 }  // namespace plenolab

@@ -154,6 +154,13 @@ std::vector<Metric> make_table() {
        .symmetric = false,
        .quantities = feature_quantities("feature_photographic"),
        .compare_mapped = feature_photographic},
+      {.name = "feature_content_adaptive",
+       .family = "feature",
+       .summary = "The same with photographs by the content adaptive operator (Zhao 2019).",
+       .symmetric = false,
+       .quantities = feature_quantities("feature_content_adaptive"),
+       .compare_mapped = feature_content_adaptive,
+       .absolute_luminance = true},
       {.name = "brisque_plenolab",
        .family = "brisque",
        .summary = "Features of BRISQUE (Mittal et al. 2012) in a regressor trained on plenolab's scenes; not "

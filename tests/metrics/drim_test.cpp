@@ -9,6 +9,7 @@
 
 #include "core/base/random.h"
 #include "core/image/colour.h"
+#include "metrics/vision/perceived_contrast.h"
 #include "tests/support/message_of.h"
 
 namespace plenolab {
@@ -54,6 +55,27 @@ Plane<float> blurred(const Plane<float>& image, int radius) {
         sum += image.at(u, v);
     return sum / static_cast<float>(count);
   });
+}
+
+TEST(Drim, AgreesWithItsFormulasComputedElsewhere) {
+  // Plain Python over 16×16 pixels: literal transforms, JND by stepping, every formula as printed.
+  Plane<float> reference(16, 16), test(16, 16);
+  for (int y = 0; y < 16; ++y) {
+    for (int x = 0; x < 16; ++x) {
+      reference.at(x, y) =
+          static_cast<float>(50 * std::pow(10, x / 16.0) * (1 + 0.5 * std::sin(0.9 * x) * std::cos(0.7 * y)));
+      test.at(x, y) = static_cast<float>(80 * std::pow(10, x / 32.0) *
+                                         (1 + 0.25 * std::sin(0.9 * x + 0.8) * std::cos(0.7 * y)));
+    }
+  }
+  const auto contrast = vision::perceived_contrast(reference, {}, 1);
+  EXPECT_NEAR(contrast.at(3, 5), -21.537701, 0.01);
+  EXPECT_NEAR(contrast.at(12, 9), -31.113622, 0.01);
+  EXPECT_NEAR(vision::perceived_contrast(test, {}, 1).at(3, 5), 0.790843, 0.01);
+  const auto rows = compare(test, reference);
+  EXPECT_NEAR(rows.at("drim_mean_loss"), 25.06375, 0.02);
+  EXPECT_NEAR(rows.at("drim_mean_amplification"), 4.13121, 0.02);
+  EXPECT_NEAR(rows.at("drim_mean_reversal"), 32.94468, 0.02);
 }
 
 TEST(Drim, OfIdenticalImagesIsExactlyNone) {

@@ -120,6 +120,21 @@ TEST(FeatureReference, TakesPhotographsByTheOperatorGiven) {
   EXPECT_NEAR(reference.brightness, 0.25, 1e-6);
 }
 
+TEST(FeatureReference, OfContentAdaptivePhotographsShowsMoreDetailWherePixelsAre) {
+  // Faint texture about two levels, far apart; the adapted curve is steeper there.
+  Plane<float> luminance(64, 64);
+  for (int y = 0; y < 64; ++y)
+    for (int x = 0; x < 64; ++x)
+      luminance.at(x, y) = static_cast<float>((x < 32 ? 1 : 40) * (1 + 0.03 * std::sin(1.1 * x + 0.7 * y)));
+  FeatureOptions adaptive;
+  adaptive.photograph = content_adaptive_photograph;
+  const auto energy = [&](const FeatureOptions& options) {
+    const FeatureReference reference = feature_reference(luminance, options);
+    return reference.gradient_energy.at(10, 10) + reference.gradient_energy.at(50, 50);
+  };
+  EXPECT_GT(energy(adaptive), energy({}));
+}
+
 TEST(Saliency, IsADistribution) {
   for (const auto& [width, height] : {std::pair{50, 40}, {1, 1}, {1, 30}}) {
     const Plane<float> map = saliency_of(scene(std::max(width, 2), height));

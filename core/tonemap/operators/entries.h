@@ -11,6 +11,7 @@
 namespace plenolab {
 
 OperatorInfo bilateral_entry();
+OperatorInfo content_adaptive_entry();
 OperatorInfo histogram_entry();
 OperatorInfo reinhard_devlin_entry();
 OperatorInfo reinhard_global_entry();
