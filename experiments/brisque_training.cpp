@@ -89,14 +89,6 @@ DisplayImage with_levels(const DisplayImage& image, int strength) {
   return changed(image, [&](float v) { return std::round(v * steps) / steps; });
 }
 
-DisplayImage with_fade(const DisplayImage& image, int strength) {
-  double sum = 0;
-  for (const Rgb c : image.pixels()) sum += static_cast<double>(luminance(c));
-  const auto mean = static_cast<float>(sum / static_cast<double>(image.size()));
-  const float contrast = 0.95f - 0.15f * static_cast<float>(strength);
-  return changed(image, [&](float v) { return mean + contrast * (v - mean); });
-}
-
 struct Distortion {
   const char* name;
   DisplayImage (*apply)(const DisplayImage& image, int strength, std::uint64_t seed, std::uint64_t index);
@@ -110,8 +102,6 @@ constexpr std::array kDistortions{
                           std::uint64_t) { return with_jpeg(image, strength); }},
     Distortion{"levels", [](const DisplayImage& image, int strength, std::uint64_t,
                             std::uint64_t) { return with_levels(image, strength); }},
-    Distortion{"fade", [](const DisplayImage& image, int strength, std::uint64_t,
-                          std::uint64_t) { return with_fade(image, strength); }},
 };
 
 /// The picture and its distortions.

@@ -24,15 +24,16 @@ struct BrisqueTrainingOptions {
 /// One picture: a view of a scene at some exposure, distorted.
 struct TrainingPicture {
   std::string scene;
-  std::string distortion;  ///< none, noise, blur, jpeg, levels or fade
+  std::string distortion;  ///< none, noise, blur, jpeg or levels
   int strength = 0;        ///< 0 for none, 1 … 5
   BrisqueFeatures features{};
   double target = 0;  ///< 100·(1 − SSIM with the undistorted picture)
 };
 
-/// Two views of every scene at three exposures, each undistorted and by five distortions of five strengths:
+/// Two views of every scene at three exposures, each undistorted and by four distortions of five strengths:
 /// Gaussian noise (standard deviation 0.01 … 0.16 of full scale), Gaussian blur (σ 0.6 … 4.8 px), JPEG
-/// (quality 60 … 5), few levels (32 … 4 per channel) and fade (contrast about the mean 0.8 … 0.2).
+/// (quality 60 … 5) and few levels (32 … 4 per channel). Loss of contrast all over is not among them: locally
+/// normalised luma hardly changes with it (tried: no correlation on scenes left out).
 std::vector<TrainingPicture> brisque_training_pictures(const BrisqueTrainingOptions& options,
                                                        const Progress& progress = {});
 

@@ -56,7 +56,7 @@ void run_train(const Invocation& invocation, TrainOptions options) {
   const Agreement all = agreement_where(pictures, scores, [](const auto&) { return true; });
   ResultTable table;
   add_agreement_rows(table, "all", all);
-  for (const std::string name : {"none", "noise", "blur", "jpeg", "levels", "fade"})
+  for (const std::string name : {"none", "noise", "blur", "jpeg", "levels"})
     add_agreement_rows(table, name, agreement_where(pictures, scores, [&](const TrainingPicture& p) {
                          return p.distortion == name;
                        }));
