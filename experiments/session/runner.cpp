@@ -84,12 +84,15 @@ class Session {
   }
 
   bool consent() {
-    const std::string& who = store_.identity().participant;
+    const SessionIdentity& who = store_.identity();
     const std::filesystem::path sessions = store_.folder().parent_path();
     if (so_far_.consented) return true;
-    if (!consent_exists(sessions, who)) {
+    if (!consent_exists(sessions, who, study_.consent)) {
       const bool minor = answers_minor(study_.consent, answer(adult_question(study_.consent)));
-      ConsentRecord record{.participant = who, .given_utc = utc_now(), .text = study_.consent.text};
+      ConsentRecord record{.participant = who.participant,
+                           .session_created_utc = who.created_utc,
+                           .given_utc = utc_now(),
+                           .text = study_.consent.text};
       if (!agrees("consent", "participant", record.text, record.name)) return declined();
       if (minor) record.guardian_text = study_.consent.guardian_text;
       if (minor && !agrees("guardian_consent", "guardian", record.guardian_text, record.guardian_name))

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 
 #include "core/base/error.h"
@@ -21,6 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kDatabaseFile = "session.db";
+constexpr const char* kWithdrawnFolder = "withdrawn";
 constexpr const char* kFormat = "plenolab-session";
 constexpr const char* kVersion = "1";
 
@@ -119,11 +121,24 @@ void sync(int descriptor, const fs::path& path) {
     throw InputError(fmt::format("cannot store {} safely: {}", path.string(), std::strerror(errno)));
 }
 
+/// Makes the entries of a folder durable. File systems that cannot (EINVAL) keep them durable by themselves.
 void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (descriptor < 0) return;  // e.g. a file system that does not open folders: nothing can be done
-  ::fsync(descriptor);
-  ::close(descriptor);
+  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
+  const int reason = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  if (!synced)
+    throw InputError(fmt::format("cannot store {} safely: {}", folder.string(), std::strerror(reason)));
+}
+
+/// Gives a file its name unless the name is taken; false if it is.
+bool rename_to_free_name(const fs::path& from, const fs::path& to) {
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
+  if (errno != EINVAL && errno != ENOSYS) return false;
+  // A file system without renameat2's flag: the same in two steps.
+  if (::link(from.c_str(), to.c_str()) != 0) return false;
+  ::unlink(from.c_str());
+  return true;
 }
 
 void require_private(const fs::path& database) {
@@ -161,6 +176,8 @@ SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentit
                                   Durability durability) {
   create_private_folder(sessions);
   const fs::path folder = sessions / identity.participant;
+  if (is_withdrawn(sessions, identity.participant))
+    throw InputError(fmt::format("{} was withdrawn: its pseudonym is not given again", identity.participant));
   if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
   if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
@@ -245,7 +262,9 @@ std::vector<fs::path> session_folders(const fs::path& sessions) {
     throw InputError(fmt::format("{} is no folder of sessions: it does not exist", sessions.string()));
   std::vector<fs::path> folders;
   for (const auto& entry : fs::directory_iterator(sessions))
-    if (fs::is_regular_file(entry.path() / kDatabaseFile)) folders.push_back(entry.path());
+    if (fs::is_regular_file(entry.path() / kDatabaseFile) &&
+        !is_withdrawn(sessions, entry.path().filename().string()))
+      folders.push_back(entry.path());
   std::sort(folders.begin(), folders.end());
   return folders;
 }
@@ -257,15 +276,48 @@ std::string pseudonym(SessionMode mode, int number) {
 int next_number(const fs::path& sessions, SessionMode mode) {
   const std::string prefix = std::string(name_of(mode)) + "-";
   int last = 0;
-  if (!fs::is_directory(sessions)) return 1;
-  for (const auto& entry : fs::directory_iterator(sessions)) {
-    const std::string name = entry.path().filename().string();
-    int number = 0;
-    if (name.starts_with(prefix) &&
-        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec == std::errc{})
-      last = std::max(last, number);
+  // A consent without a session and a withdrawn session used their number too.
+  for (const fs::path& used : {sessions, sessions / "consent", sessions / kWithdrawnFolder}) {
+    if (!fs::is_directory(used)) continue;
+    for (const auto& entry : fs::directory_iterator(used)) {
+      const std::string name = entry.path().filename().string();
+      int number = 0;
+      if (name.starts_with(prefix) &&
+          std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec == std::errc{})
+        last = std::max(last, number);
+    }
   }
   return last + 1;
+}
+
+bool is_withdrawn(const fs::path& sessions, const std::string& participant) {
+  return fs::exists(sessions / kWithdrawnFolder / participant);
+}
+
+void withdraw_session(const fs::path& sessions, const std::string& participant) {
+  const fs::path folder = sessions / participant, consent = sessions / "consent";
+  const bool pseudonym = participant.find('/') == std::string::npos &&
+                         (participant.starts_with("real-") || participant.starts_with("pilot-") ||
+                          participant.starts_with("simulated-"));
+  const bool present =
+      pseudonym && (fs::is_directory(folder) || fs::exists(consent / (participant + ".json")));
+  if (!present) throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
+  if (fs::is_regular_file(folder / kDatabaseFile)) {
+    try {
+      SqliteDatabase database(folder / kDatabaseFile, SqliteDatabase::Access::kReadWrite);
+      database.execute("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT");
+    } catch (const DatabaseInUse&) {
+      throw;
+    } catch (const InputError&) {  // who withdraws is removed even if the file is damaged
+    }
+  }
+  create_private_folder(sessions / kWithdrawnFolder);
+  if (!is_withdrawn(sessions, participant))
+    create_private_file(sessions / kWithdrawnFolder / participant, utc_now() + "\n", Durability::kPowerCut);
+  for (const char* suffix : {".json", ".json.partial"}) fs::remove(consent / (participant + suffix));
+  if (fs::is_directory(consent)) sync_folder(consent);
+  fs::remove_all(folder);
+  sync_folder(sessions);
 }
 
 std::string utc_now() {
@@ -281,13 +333,18 @@ void create_private_folder(const fs::path& folder) {
   if (folder.has_parent_path() && folder.has_relative_path()) create_private_folder(folder.parent_path());
   if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), std::strerror(errno)));
+  sync_folder(folder.parent_path());
 }
 
 void create_private_file(const fs::path& file, const std::string& text, Durability durability) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
   const auto failed = [&] {
     return InputError(fmt::format("cannot create {}: {}", file.string(), std::strerror(errno)));
   };
+  errno = EEXIST;
+  if (fs::exists(file)) throw failed();
+  // What a cut-off attempt left under this name was never acknowledged.
+  const std::string partial = file.string() + ".partial";
+  const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
   if (descriptor < 0) throw failed();
   const std::shared_ptr<void> closer(nullptr, [descriptor](void*) { ::close(descriptor); });
   for (std::size_t written = 0; written < text.size();) {
@@ -295,9 +352,9 @@ void create_private_file(const fs::path& file, const std::string& text, Durabili
     if (count < 0) throw failed();
     written += static_cast<std::size_t>(count);
   }
-  if (durability == Durability::kProcessEnd) return;
-  sync(descriptor, file);
-  sync_folder(file.parent_path());
+  if (durability == Durability::kPowerCut) sync(descriptor, file);
+  if (!rename_to_free_name(partial, file)) throw failed();
+  if (durability == Durability::kPowerCut) sync_folder(file.parent_path());
 }
 
 }  // namespace plenolab

@@ -17,10 +17,11 @@ namespace plenolab {
 ///   SESSIONS/              the data folder of a study
 ///     real-001/session.db  one folder a session, 0700, files 0600
 ///     consent/real-001.json  what was signed, apart from all answers (consent.h)
+///     withdrawn/real-001   in place of both once the participant has withdrawn: the time, nothing personal
 ///
 /// One file a session, not one for the study: stations can run side by side without sharing a file, a damaged
 /// disk block costs one session, a finished one can be copied while the next runs, and a participant who
-/// withdraws is removed by removing a folder. The session is known by its pseudonym alone.
+/// withdraws is removed with one folder (withdraw_session). The session is known by its pseudonym alone.
 ///
 /// The database is append-only: triggers refuse every change and removal, and nothing is stored but events
 /// and what the session is (`meta`); trials are derived (trials.h). It is in WAL mode with synchronous=FULL:
@@ -103,22 +104,35 @@ struct StoredSession {
 /// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
 StoredSession read_session(const std::filesystem::path& folder);
 
-/// Folders of all sessions below a data folder, sorted by name. Throws InputError if there is no such folder.
+/// Folders of all sessions below a data folder but withdrawn ones, sorted by name. Throws InputError if there
+/// is no such folder.
 std::vector<std::filesystem::path> session_folders(const std::filesystem::path& sessions);
 
 /// "real-001", "pilot-012", "simulated-034".
 std::string pseudonym(SessionMode mode, int number);
 
-/// The lowest number after all that were used in this mode.
+/// The lowest number after all that were used in this mode, by sessions, consents or withdrawn participants:
+/// a pseudonym is never given twice.
 int next_number(const std::filesystem::path& sessions, SessionMode mode);
+
+/// Whether withdraw_session was called for this pseudonym.
+bool is_withdrawn(const std::filesystem::path& sessions, const std::string& participant);
+
+/// Removes a session and its consent and leaves SESSIONS/withdrawn/PSEUDONYM, with nothing in it but the
+/// time, so that the pseudonym is not given to anybody else. If it is cut off, the session counts as
+/// withdrawn already, and calling it again removes the rest. Throws InputError if there is no such session,
+/// DatabaseInUse if it is running.
+void withdraw_session(const std::filesystem::path& sessions, const std::string& participant);
 
 /// Now, as "2026-01-31T12:00:00.123Z".
 std::string utc_now();
 
-/// Creates a folder 0700 with those above it; one that exists stays as it is.
+/// Creates a folder 0700 with those above it, and waits until all are on the disk; one that exists stays as
+/// it is.
 void create_private_folder(const std::filesystem::path& folder);
 
-/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked.
+/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked. It is there with
+/// all of the text or not at all; until then it is FILE.partial.
 void create_private_file(const std::filesystem::path& file, const std::string& text, Durability durability);
 
 }  // namespace plenolab

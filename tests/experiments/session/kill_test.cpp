@@ -164,7 +164,7 @@ TEST(SessionCommand, AStartThatFailsLeavesNoSession) {
 }
 
 TEST(SessionCommand, EverySubcommandExplainsItselfWithAnExample) {
-  for (const char* command : {"new", "run", "resume", "simulate", "list", "export"}) {
+  for (const char* command : {"new", "run", "resume", "withdraw", "simulate", "list", "export"}) {
     const ProgramResult result = run_program({"session", command, "--help"});
     EXPECT_EQ(result.status, 0) << command;
     EXPECT_NE(result.out.find(std::string("Example: plenolab session ") + command), std::string::npos)

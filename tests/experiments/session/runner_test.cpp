@@ -87,6 +87,8 @@ struct Fixture {
     return run_session(store, stage, {.images = folder.path() / "study"});
   }
   SessionSummary summary() { return summarise(store.identity(), study, store.events()); }
+  fs::path sessions() const { return folder.path() / "sessions"; }
+  bool consented() { return consent_exists(sessions(), store.identity(), study.consent); }
   int count(const std::string& kind) {
     const auto events = store.events();
     return static_cast<int>(
@@ -116,7 +118,7 @@ TEST(Runner, ASessionGoesFromConsentToItsEnd) {
     EXPECT_EQ(trial.catch_trial, trial.image == "odd");
   }
   EXPECT_TRUE(summary.answered("age"));
-  EXPECT_TRUE(consent_exists(fixture.folder.path() / "sessions", "real-001"));
+  EXPECT_TRUE(fixture.consented());
 }
 
 TEST(Runner, WhoDeclinesIsAskedNothingFurtherAndLeavesNoConsent) {
@@ -125,8 +127,37 @@ TEST(Runner, WhoDeclinesIsAskedNothingFurtherAndLeavesNoConsent) {
   stage.answers["consent"] = {"Up", "Return"};
   EXPECT_EQ(fixture.run(stage), SessionState::kDeclined);
   EXPECT_EQ(fixture.summary().answers.size(), 1u) << "only whether of age";
-  EXPECT_FALSE(consent_exists(fixture.folder.path() / "sessions", "real-001"));
+  EXPECT_FALSE(fixture.consented());
   EXPECT_EQ(fixture.run(stage), SessionState::kDeclined) << "it stays so";
+}
+
+TEST(Runner, ATornConsentIsNoConsent) {
+  for (const char* text : {"", "{\"participant\": \"real-001\", \"te"}) {
+    Fixture fixture;
+    create_private_folder(fixture.sessions() / "consent");
+    write_text_file(fixture.sessions() / "consent" / "real-001.json", text);
+    ScriptedStage stage;
+    const std::string message = message_of([&] { fixture.run(stage); });
+    EXPECT_NE(message.find("is damaged"), std::string::npos) << message;
+    EXPECT_EQ(fixture.count("consent"), 0);
+  }
+}
+
+TEST(Runner, TheConsentOfAnotherSessionOrToAnotherTextIsNoConsent) {
+  for (const bool other_session : {true, false}) {
+    Fixture fixture;
+    ConsentRecord record{.participant = "real-001",
+                         .session_created_utc = fixture.store.identity().created_utc,
+                         .given_utc = utc_now(),
+                         .text = fixture.study.consent.text};
+    (other_session ? record.session_created_utc : record.text) = "another";
+    store_consent(fixture.sessions(), record, Durability::kPowerCut);
+    ScriptedStage stage;
+    const std::string message = message_of([&] { fixture.run(stage); });
+    EXPECT_NE(message.find(other_session ? "for another session" : "to another text"), std::string::npos)
+        << message;
+    EXPECT_EQ(fixture.count("consent"), 0);
+  }
 }
 
 TEST(Runner, WhoIsUnderAgeNeedsTheGuardiansConsentToo) {

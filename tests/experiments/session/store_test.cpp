@@ -75,6 +75,55 @@ TEST(Store, NeverOverwritesASession) {
   EXPECT_EQ(next_number(sessions.path, SessionMode::kPilot), 1);
 }
 
+TEST(Store, NoPseudonymIsGivenTwice) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-003.json", "{}", Durability::kPowerCut);
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4) << "real-003 has left its consent";
+}
+
+TEST(Store, WhoWithdrawsIsRemovedAndLeavesOnlyThatThePseudonymIsTaken) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-001.json", "{}", Durability::kPowerCut);
+  {
+    const SessionStore running = SessionStore::open(sessions.path / "real-001", Durability::kPowerCut);
+    EXPECT_NE(message_of([&] { withdraw_session(sessions.path, "real-001"); }).find("in use"),
+              std::string::npos);
+  }
+  withdraw_session(sessions.path, "real-001");
+  EXPECT_FALSE(fs::exists(sessions.path / "real-001"));
+  EXPECT_TRUE(fs::is_empty(sessions.path / "consent"));
+  EXPECT_TRUE(session_folders(sessions.path).empty());
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 2);
+  EXPECT_NE(message_of([&] {
+              SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+            }).find("was withdrawn"),
+            std::string::npos);
+  for (const char* name : {"real-001", "real-009", "../study", ""})
+    EXPECT_NE(message_of([&] { withdraw_session(sessions.path, name); }).find("holds no session"),
+              std::string::npos)
+        << name;
+}
+
+TEST(Store, FilesAppearWholeOrNotAtAll) {
+  const Sessions sessions;
+  create_private_folder(sessions.path);
+  const fs::path file = sessions.path / "consent.json";
+  create_private_file(file.string() + ".partial", "half of an attempt that was cut off",
+                      Durability::kPowerCut);
+  create_private_file(file, "whole", Durability::kPowerCut);
+  EXPECT_EQ(read_text_file(file), "whole");
+  EXPECT_EQ(mode_of(file), 0600u);
+  EXPECT_FALSE(fs::exists(file.string() + ".partial"));
+  EXPECT_NE(
+      message_of([&] { create_private_file(file, "other", Durability::kPowerCut); }).find("File exists"),
+      std::string::npos);
+  EXPECT_EQ(read_text_file(file), "whole");
+}
+
 TEST(Store, RefusesASecondProgramButNotLaterOnes) {
   const Sessions sessions;
   {
