@@ -22,7 +22,7 @@ constexpr double kIntervalTolerance = 0.1;  // measured against stated interval 
 /// Whether the black between images can be trusted on this display, in words if not.
 std::string timing_fault(const DisplayReport& display) {
   if (!display.vsync) return "its flips do not wait for the display";
-  if (display.refresh_hz <= 0) return "";
+  if (display.refresh_hz <= 0) return "the rate it keeps is unknown";
   const double stated_ms = 1000 / display.refresh_hz;
   if (std::abs(display.interval_ms / stated_ms - 1) <= kIntervalTolerance) return "";
   return fmt::format("it states {:.2f} ms a frame, but flips take {:.2f} ms", stated_ms, display.interval_ms);

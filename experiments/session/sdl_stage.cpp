@@ -101,9 +101,7 @@ DisplayReport SdlStage::open_display(int screen) {
   report.name = fmt::format("{}: {}", SDL_GetCurrentVideoDriver(), name ? name : "display");
   SDL_DisplayMode mode;
   if (SDL_GetCurrentDisplayMode(screen, &mode) == 0) report.refresh_hz = mode.refresh_rate;
-  SDL_RendererInfo info;
-  if (SDL_GetRendererInfo(renderer_.get(), &info) == 0)
-    report.vsync = (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0;
+  report.vsync = flips_wait();
   picture_ = {};
   measure_interval(report);
   require_on_screen(screen);
@@ -112,6 +110,14 @@ DisplayReport SdlStage::open_display(int screen) {
   report.height_px = height_px_;
   open_fonts();
   return report;
+}
+
+/// SDL says PRESENTVSYNC of renderers too for which it only sleeps: what counts is the driver's swap
+/// interval.
+bool SdlStage::flips_wait() const {
+  SDL_RendererInfo info;
+  if (SDL_GetRendererInfo(renderer_.get(), &info) != 0) return false;
+  return std::string(info.name).starts_with("opengl") && SDL_GL_GetSwapInterval() != 0;
 }
 
 void SdlStage::measure_interval(DisplayReport& report) {

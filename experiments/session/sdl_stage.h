@@ -17,7 +17,8 @@ namespace plenolab {
 ///   - One window on one display at a time; after it is up, the display it is really on is compared with the
 ///   one asked
 ///     for, and a mismatch refused.
-///   - Whether flips wait for the display is taken from what the renderer came to, and measured.
+///   - Whether flips wait for the display is asked of the OpenGL driver (other renderers only pretend), and
+///   measured.
 ///   - Inputs are polled every millisecond until shortly before the next flip.
 /// Text is DejaVu Sans, in the central region of the display.
 class SdlStage final : public Stage {
@@ -52,6 +53,7 @@ class SdlStage final : public Stage {
 
   std::int64_t now_us() const;
   void require_on_screen(int screen) const;
+  bool flips_wait() const;
   void measure_interval(DisplayReport& report);
   void compose();
   void draw_image(const Picture& picture);

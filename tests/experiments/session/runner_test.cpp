@@ -209,6 +209,12 @@ TEST(Runner, RealSessionsRefuseADisplayThatDoesNotKeepTime) {
     slow.answers["age"] = {"Return"};
     slow.stated_hz = 60;  // but 10 ms a flip
     EXPECT_EQ(message_of([&] { fixture.run(slow); }).empty(), !real);
+    ScriptedStage unknown;
+    unknown.answers["age"] = {"Return"};
+    unknown.stated_hz = 0;
+    if (real) {
+      EXPECT_NE(message_of([&] { fixture.run(unknown); }).find("unknown"), std::string::npos);
+    }
   }
 }
 

@@ -35,6 +35,7 @@ TEST(SdlStage, ShowsImagesMagnifiedPixelByPixelInTheMiddleOfBlack) {
   SdlStage stage({.screenshots = shots});
   const DisplayReport display = stage.open_display(0);
   EXPECT_GT(display.interval_ms, 0);
+  EXPECT_FALSE(display.vsync) << "memory waits for no display, whatever SDL says of its renderer";
   stage.load({image_picture(file, 8)});
   stage.draw(image_picture(file, 8));
   const std::int64_t first_us = stage.flip();
