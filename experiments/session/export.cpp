@@ -31,12 +31,18 @@ std::string events_csv(std::span<const ExportedSession> sessions) {
 /// Sessions of the mode that can be read and gave data, with the reasons for the others.
 std::vector<ExportedSession> collect(const fs::path& sessions, SessionMode mode, ExportCounts& counts) {
   std::vector<ExportedSession> collected;
+  std::string mistaken;
   int of_mode = 0;
   for (const fs::path& folder : session_folders(sessions)) {
     if (!folder.filename().string().starts_with(std::string(name_of(mode)) + "-")) continue;
     ++of_mode;
     try {
       StoredSession stored = read_session(folder);
+      if (stored.identity.participant != folder.filename().string() || stored.identity.mode != mode)
+        mistaken = fmt::format(
+            "{} holds the {} session {}: a copy or a folder that was renamed, so nothing is exported",
+            folder.string(), name_of(stored.identity.mode), stored.identity.participant);
+      if (!mistaken.empty()) break;
       const StudyDefinition study = study_of(stored.identity);
       SessionSummary summary = summarise(stored.identity, study, stored.events);
       if (summary.state == SessionState::kDeclined || summary.state == SessionState::kExcluded)
@@ -47,6 +53,7 @@ std::vector<ExportedSession> collect(const fs::path& sessions, SessionMode mode,
       counts.left_out.push_back(error.what());
     }
   }
+  if (!mistaken.empty()) throw InputError(mistaken);
   if (of_mode == 0)
     throw InputError(fmt::format("{} holds no {} sessions (--mode chooses which are exported)",
                                  sessions.string(), name_of(mode)));

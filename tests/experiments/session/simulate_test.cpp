@@ -185,6 +185,20 @@ TEST(Export, HoldsEveryTrialAndNoName) {
       std::string::npos);
 }
 
+TEST(Export, RefusesCopiesAndRenamedFoldersOfSessions) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 2));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const auto message = [&](SessionMode mode) {
+    return message_of([&] { export_sessions(sessions, mode, out); });
+  };
+  fs::copy(sessions / "simulated-002", sessions / "simulated-002-copy");
+  EXPECT_NE(message(SessionMode::kSimulated).find("a copy"), std::string::npos);
+  fs::remove_all(sessions / "simulated-002-copy");
+  EXPECT_EQ(message(SessionMode::kSimulated), "");
+  fs::rename(sessions / "simulated-002", sessions / "real-002");
+  EXPECT_NE(message(SessionMode::kReal).find("holds the simulated session simulated-002"), std::string::npos);
+}
+
 TEST(WrongProbabilities, AreReadFromATableAndBadLinesAreNamed) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "wrong.csv";
