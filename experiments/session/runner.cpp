@@ -38,7 +38,8 @@ class Session {
         plan_(plan_session(study_, store.identity().number)),
         events_(store.events()),
         so_far_(summarise(store.identity(), study_, events_)),
-        recorder_(store, so_far_.runs + 1, options.on_event) {
+        recorder_(store, so_far_.runs + 1, options.on_event),
+        inputs_(stage, recorder_) {
     if (store.identity().mode != SessionMode::kReal)
       banner_ = store.identity().mode == SessionMode::kPilot ? "PILOT: answers do not count" : "SIMULATED";
     for (const SessionEvent& event : events_)
@@ -72,7 +73,7 @@ class Session {
     return SessionState::kDone;
   }
 
-  std::string read(const FormQuestion& page) { return ask(stage_, recorder_, page, banner_); }
+  std::string read(const FormQuestion& page) { return ask(stage_, recorder_, inputs_, page, banner_); }
 
   /// The answer of a question, asked unless it was answered in an earlier run.
   std::string answer(const FormQuestion& question) {
@@ -187,7 +188,7 @@ class Session {
     recorder_.write("trial_started", planned.catch_trial ? "catch" : "",
                     planned.test_first ? "test_left" : "test_right");
     const TrialOptions options{static_cast<std::int64_t>(study_.blank_ms) * 1000, study_.return_to_reference};
-    run_trial({stage_, recorder_, options, display_.interval_ms},
+    run_trial({stage_, recorder_, inputs_, options, display_.interval_ms},
               trial_scene(study_, options_.images, block, planned));
   }
 
@@ -199,6 +200,7 @@ class Session {
   std::vector<SessionEvent> events_;
   SessionSummary so_far_;
   Recorder recorder_;
+  SessionInputs inputs_;
   std::map<std::pair<int, int>, int> attempts_;
   std::string banner_;
   DisplayReport display_;

@@ -70,7 +70,8 @@ class TrialCollector {
 
   void end(const SessionEvent& event) {
     record_.chose_test = (event.what == "left") == record_.test_first;
-    record_.response_s = static_cast<double>(event.t_us - record_.began_us) * 1e-6;
+    record_.paused_us = detail_number(event, "paused_us");
+    record_.response_s = static_cast<double>(event.t_us - record_.began_us - record_.paused_us) * 1e-6;
     summary_.trials.push_back(record_);
   }
 

@@ -21,12 +21,13 @@ struct TrialRecord {
   bool catch_trial = false;
   bool test_first = false;  ///< the left trigger showed the test image
   bool chose_test = false;  ///< took the test image for the reference: wrong
-  double response_s = 0;    ///< from the first black flip of the trial to the choice
+  double response_s = 0;    ///< from the first black flip of the trial to the choice, without pauses
   int views_reference = 0, views_a = 0, views_b = 0;  ///< times each was shown; a: left trigger, b: right
   int refused = 0;                                    ///< choices refused
   int attempt = 1;                                    ///< 1 unless the trial was interrupted and repeated
   int run = 1;
-  std::int64_t began_us = 0;  ///< on the clock of the run
+  std::int64_t began_us = 0;   ///< on the clock of the run
+  std::int64_t paused_us = 0;  ///< pad unplugged, or asked whether to stop
   std::int64_t dropped_frames = 0, longest_frame_us = 0;
 };
 

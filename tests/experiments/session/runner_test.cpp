@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 
 #include "core/base/file.h"
 #include "experiments/session/consent.h"
@@ -32,7 +33,8 @@ class ScriptedStage final : public Stage {
   std::vector<RawInput> poll() override {
     if (++waited_ < 60) return {};
     waited_ = 0;
-    std::vector<RawInput> inputs;
+    std::vector<RawInput> inputs = pad_inputs();
+    if (!inputs.empty()) return inputs;
     for (const std::string& key : keys())
       inputs.push_back(
           {.kind = RawInput::Kind::kKey, .name = key, .down = true, .t_low_us = now_us_, .t_us = now_us_});
@@ -48,8 +50,16 @@ class ScriptedStage final : public Stage {
   bool vsync = true;
   std::vector<std::string> pages;
   std::string banner;
+  /// Takes the place of the keys for this picture, if it gives anything.
+  std::function<std::vector<RawInput>(const Picture&)> pad;
+  std::int64_t now_us() const { return now_us_; }
 
  private:
+  std::vector<RawInput> pad_inputs() {
+    std::vector<RawInput> inputs = pad ? pad(picture_) : std::vector<RawInput>{};
+    for (RawInput& input : inputs) input.t_low_us = input.t_us = now_us_;
+    return inputs;
+  }
   std::vector<std::string> keys() {
     if (picture_.kind == Picture::Kind::kPage) {
       if (picture_.question.empty()) return {"Return"};  // whether to stop
@@ -195,6 +205,106 @@ TEST(Runner, AStoppedSessionGoesOnWithTheInterruptedTrialAndAsksNothingTwice) {
   EXPECT_EQ(summary.trials[4].attempt, 2);
   EXPECT_EQ(summary.trials[5].attempt, 1);
   EXPECT_EQ(summary.runs, 2);
+}
+
+RawInput pad_button(const char* name, bool down) {
+  return {.kind = RawInput::Kind::kPadButton, .name = name, .down = down};
+}
+
+RawInput key(const char* name) {
+  return {.kind = RawInput::Kind::kKey, .name = name, .down = true};
+}
+
+TEST(Runner, BumpersReleasedWhileTheSessionAsksWhetherToStopDoNotHalfChoose) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  int step = 0;
+  stage.pad = [&](const Picture& picture) -> std::vector<RawInput> {
+    const bool stop_page = picture.kind == Picture::Kind::kPage && picture.question.empty();
+    if (step == 0 && picture.kind == Picture::Kind::kImage)
+      return ++step, std::vector{pad_button("leftshoulder", true), key("Escape")};
+    if (step == 1 && stop_page) return ++step, std::vector{pad_button("leftshoulder", false), key("Escape")};
+    if (step == 2 && picture.kind == Picture::Kind::kImage)
+      return ++step, std::vector{pad_button("rightshoulder", true), pad_button("rightshoulder", false)};
+    return {};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  EXPECT_EQ(step, 3);
+  const auto events = fixture.store.events();
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const SessionEvent& e) {
+                            return e.kind == "press" && e.detail.find("rightshoulder") != std::string::npos;
+                          }),
+            0);
+  EXPECT_EQ(fixture.count("continued"), 1);
+}
+
+TEST(Runner, APauseIsNotPartOfTheResponseTimeNorADroppedFrame) {
+  double response_s[2];
+  for (const bool pauses : {false, true}) {
+    Fixture fixture;
+    ScriptedStage stage;
+    stage.answers["age"] = {"Return"};
+    int step = pauses ? 0 : 2;
+    std::int64_t asked_us = 0;
+    stage.pad = [&](const Picture& picture) -> std::vector<RawInput> {
+      const bool stop_page = picture.kind == Picture::Kind::kPage && picture.question.empty();
+      if (step == 0 && picture.kind == Picture::Kind::kImage)
+        return asked_us = stage.now_us(), ++step, std::vector{key("Escape")};
+      if (step == 1 && stop_page && stage.now_us() > asked_us + 5'000'000)
+        return ++step, std::vector{key("Escape")};
+      if (step == 1 && stop_page) return {key("Space")};
+      return {};
+    };
+    EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+    EXPECT_EQ(step, 2);
+    const TrialRecord trial = fixture.summary().trials.front();
+    response_s[pauses] = trial.response_s;
+    EXPECT_EQ(trial.paused_us > 5'000'000, pauses);
+    EXPECT_EQ(trial.dropped_frames, 0);
+  }
+  EXPECT_LT(response_s[1], response_s[0] + 2);
+}
+
+TEST(Runner, APadUnpluggedWithTheChoiceOrOnAPagePausesTheNextTrial) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  bool unplugged = false, waits = false;
+  stage.pad = [&](const Picture& picture) -> std::vector<RawInput> {
+    if (picture.question == "instructions" && !unplugged) {
+      unplugged = true;
+      return {{.kind = RawInput::Kind::kDisconnected}};
+    }
+    const bool pause_page = picture.kind == Picture::Kind::kPage && picture.question.empty();
+    if (!pause_page || waits) return {};
+    waits = true;
+    return {{.kind = RawInput::Kind::kConnected, .name = "spare pad"}};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  EXPECT_TRUE(waits);
+  EXPECT_EQ(fixture.count("unplugged"), 1);
+  const auto events = fixture.store.events();
+  EXPECT_EQ(std::count_if(events.begin(), events.end(),
+                          [](const SessionEvent& e) { return e.kind == "plugged" && e.what == "spare pad"; }),
+            1);
+}
+
+TEST(Runner, ClosingTheWindowTogetherWithTheChoiceStoresTheChoiceAndStops) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  bool left = false, right = false;
+  stage.pad = [&](const Picture& picture) -> std::vector<RawInput> {
+    left = left || picture.stimulus == Stimulus::kLeft;
+    right = right || picture.stimulus == Stimulus::kRight;
+    if (!left || !right || picture.kind != Picture::Kind::kImage) return {};
+    return {key("Return"), {.kind = RawInput::Kind::kClose}};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kInterrupted);
+  EXPECT_EQ(fixture.count("choice"), 1);
+  EXPECT_EQ(fixture.count("stopped"), 1);
 }
 
 TEST(Runner, RealSessionsRefuseADisplayThatDoesNotKeepTime) {
