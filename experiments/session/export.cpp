@@ -65,12 +65,13 @@ std::vector<ExportedSession> collect(const fs::path& sessions, SessionMode mode,
 std::string trials_csv(std::span<const TrialRecord> trials) {
   std::string text =
       "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
-      "views_reference,views_a,views_b,refused\r\n";
+      "views_reference,views_a,views_b,refused,attempt,paused_s,dropped_frames,session_state\r\n";
   for (const TrialRecord& t : trials)
-    text += fmt::format("{},{},{},{},{},{},{},{},{:d},{:d},{:d},{:.6f},{},{},{},{}\r\n", t.participant,
-                        name_of(t.mode), t.block, t.position, name_of(t.display), t.order, t.trial, t.image,
-                        t.catch_trial, t.test_first, t.chose_test, t.response_s, t.views_reference, t.views_a,
-                        t.views_b, t.refused);
+    text += fmt::format("{},{},{},{},{},{},{},{},{:d},{:d},{:d},{:.6f},{},{},{},{},{},{:.6f},{},{}\r\n",
+                        t.participant, name_of(t.mode), t.block, t.position, name_of(t.display), t.order,
+                        t.trial, t.image, t.catch_trial, t.test_first, t.chose_test, t.response_s,
+                        t.views_reference, t.views_a, t.views_b, t.refused, t.attempt,
+                        static_cast<double>(t.paused_us) * 1e-6, t.dropped_frames, name_of(t.session_state));
   return text;
 }
 

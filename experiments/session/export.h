@@ -11,7 +11,7 @@ namespace plenolab {
 
 /// trials.csv: one row a completed trial (RFC 4180), the interface to `plenolab analyse`:
 /// participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,views_reference,
-/// views_a,views_b,refused
+/// views_a,views_b,refused,attempt,paused_s,dropped_frames,session_state
 std::string trials_csv(std::span<const TrialRecord> trials);
 
 /// What an export came to.

@@ -113,6 +113,7 @@ SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition&
     if (event.kind == "session_done") summary.state = SessionState::kDone;
     trials.take(event);
   }
+  for (TrialRecord& trial : summary.trials) trial.session_state = summary.state;
   return summary;
 }
 

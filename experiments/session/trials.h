@@ -8,6 +8,12 @@
 
 namespace plenolab {
 
+/// How far a session has come.
+enum class SessionState { kInterrupted, kDone, kDeclined, kExcluded };
+
+/// "interrupted", "done", "declined", "excluded".
+const char* name_of(SessionState state);
+
 /// A completed trial, derived from the events of its last attempt.
 struct TrialRecord {
   std::string participant;
@@ -29,13 +35,8 @@ struct TrialRecord {
   std::int64_t began_us = 0;   ///< on the clock of the run
   std::int64_t paused_us = 0;  ///< pad unplugged, or asked whether to stop
   std::int64_t dropped_frames = 0, longest_frame_us = 0;
+  SessionState session_state = SessionState::kInterrupted;  ///< of the whole session
 };
-
-/// How far a session has come.
-enum class SessionState { kInterrupted, kDone, kDeclined, kExcluded };
-
-/// "interrupted", "done", "declined", "excluded".
-const char* name_of(SessionState state);
 
 /// An answer to a question of a form.
 struct SessionAnswer {

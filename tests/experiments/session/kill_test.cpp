@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "analysis/psychophysics/csv.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/random.h"
@@ -54,9 +55,15 @@ std::int64_t run_and_kill(const std::vector<std::string>& arguments, int events,
   return last;
 }
 
+/// Without the attempt, in which trials that were interrupted differ.
 std::string exported_trials(const fs::path& sessions, const fs::path& out) {
   export_sessions(sessions, SessionMode::kSimulated, out);
-  return read_text_file(out / "trials.csv");
+  const CsvTable table = parse_csv(read_text_file(out / "trials.csv"), "trials.csv");
+  std::string text;
+  for (const CsvRow& row : table.rows)
+    for (std::size_t column = 0; column < table.columns.size(); ++column)
+      if (table.columns[column] != "attempt") text += row.fields[column] + "\n";
+  return text;
 }
 
 void expect_sound(const fs::path& session, std::int64_t acknowledged) {

@@ -110,6 +110,9 @@ TEST(Simulation, UnpluggingChoosesNothingAndCountsNoView) {
   EXPECT_EQ(simulated.events("unplugged"), 60);
   EXPECT_EQ(simulated.events("shown_again"), 60);
   EXPECT_EQ(simulated.events("choice"), 60);
+  // The pad is out for 0.8 s; what is measured ends with the poll after.
+  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 800'000) < 20'000; }),
+            1);
   const Simulated calm(with(ObserverKind::kIdeal, 10));
   const auto views = [](const Simulated& s) {
     int count = 0;
@@ -174,7 +177,8 @@ TEST(Export, HoldsEveryTrialAndNoName) {
   EXPECT_EQ(
       csv.substr(0, csv.find("\r\n")),
       "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
-      "views_reference,views_a,views_b,refused");
+      "views_reference,views_a,views_b,refused,attempt,paused_s,dropped_frames,session_state");
+  EXPECT_TRUE(csv.ends_with(",1,0.000000,0,done\r\n")) << csv.substr(csv.size() - 100);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 19);
   for (const char* file : {"dataset_description.json", "participants.tsv", "task-matching_beh.json",
                            "sub-simulated002/beh/sub-simulated002_task-matching_run-2_beh.tsv",
