@@ -15,6 +15,7 @@
 #include "experiments/session/example_study.h"
 #include "experiments/session/export.h"
 #include "experiments/session/simulate.h"
+#include "experiments/session/study_files.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;

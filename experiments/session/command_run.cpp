@@ -11,9 +11,11 @@
 #include "experiments/cli/suggest.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/runner.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/sdl_stage.h"
 #include "experiments/session/simulate.h"
 #include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -90,6 +92,20 @@ void run_on_screen(const std::function<SessionStore()>& begin, const fs::path& i
   tell_end(store, run_session(store, stage, runner));
 }
 
+void warn(const std::string& line) {
+  fmt::print(stderr, "plenolab: {}\n", line);
+}
+
+/// Nobody can agree to the text that `session new` writes.
+void require_own_consent(const StudyDefinition& study, SessionMode mode, const fs::path& file) {
+  if (!is_placeholder(study.consent)) return;
+  const std::string what = fmt::format(
+      "the consent text in {} is still the placeholder: write the one that your ethics board agreed to",
+      study_file(file).string());
+  if (mode == SessionMode::kReal) throw InputError(what + " before the first participant comes");
+  warn(what + "; pilots only until then");
+}
+
 /// The mode in which a study is run: a pilot study only as one, any study with --pilot as one.
 SessionMode mode_of(const StudyDefinition& study, const RunOptions& options) {
   if (study.mode == SessionMode::kPilot && !options.pilot)
@@ -104,8 +120,9 @@ void run_new(const RunOptions& options) {
   const StudyDefinition study = read_study(options.study);
   const SessionMode mode = mode_of(study, options);
   require_trying_out(options.stage, mode);
+  require_own_consent(study, mode, options.study);
   const fs::path sessions = sessions_folder(options.out, options.study);
-  require_same_study(sessions, study, mode);
+  for (const std::string& line : require_same_study(sessions, study, mode)) warn("not read: " + line);
   const auto begin = [&] {
     return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
                                 Durability::kPowerCut);
@@ -113,16 +130,24 @@ void run_new(const RunOptions& options) {
   run_on_screen(begin, study_folder(options.study), options.stage);
 }
 
-/// Sessions of people that were interrupted; those in use by another station are not.
+bool is_interrupted(const StoredSession& stored) {
+  return stored.identity.mode != SessionMode::kSimulated &&
+         summarise(stored.identity, study_of(stored.identity), stored.events).state ==
+             SessionState::kInterrupted;
+}
+
+/// Sessions of people that were interrupted; those in use by another station are not, and those that cannot
+/// be read are told and passed by.
 std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
   std::vector<std::string> names;
   for (const fs::path& folder : session_folders(sessions)) {
     try {
+      if (!holds_session(folder)) continue;
       const StoredSession stored = read_session(folder);
-      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
-      if (summary.state == SessionState::kInterrupted && stored.identity.mode != SessionMode::kSimulated)
-        names.push_back(stored.identity.participant);
+      if (is_interrupted(stored)) names.push_back(stored.identity.participant);
     } catch (const DatabaseInUse&) {
+    } catch (const InputError& error) {
+      warn(std::string("not read: ") + error.what());
     }
   }
   return names;
@@ -130,13 +155,15 @@ std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
 
 /// The session named, or the only interrupted one.
 std::string session_to_resume(const ResumeOptions& options, const fs::path& sessions) {
-  const std::vector<std::string> names = interrupted_sessions(sessions);
-  if (!options.participant.empty()) {
-    if (std::find(names.begin(), names.end(), options.participant) == names.end())
-      throw UsageError(fmt::format("{} holds no interrupted session '{}'{}", sessions.string(),
-                                   options.participant, did_you_mean(options.participant, names)));
+  const auto folders = session_folders(sessions);
+  const bool named = !options.participant.empty();
+  if (named && std::find(folders.begin(), folders.end(), sessions / options.participant) != folders.end() &&
+      is_interrupted(read_session(sessions / options.participant)))
     return options.participant;
-  }
+  const std::vector<std::string> names = interrupted_sessions(sessions);
+  if (named)
+    throw UsageError(fmt::format("{} holds no interrupted session '{}'{}", sessions.string(),
+                                 options.participant, did_you_mean(options.participant, names)));
   if (names.empty()) throw InputError(fmt::format("{} holds no interrupted session", sessions.string()));
   if (names.size() == 1) return names.front();
   std::string list;
@@ -162,9 +189,11 @@ void resume(const ResumeOptions& options) {
   const fs::path folder = sessions / session_to_resume(options, sessions);
   const StoredSession stored = read_session(folder);
   require_trying_out(options.stage, stored.identity.mode);
-  if (stored.identity.study_hash != study_hash(study))
-    throw InputError(fmt::format("{} ran another version of the study than {}: it cannot go on with this one",
-                                 folder.string(), study_file(options.study).string()));
+  require_own_consent(study, stored.identity.mode, options.study);
+  const std::string different = difference(stored.identity, study);
+  if (!different.empty())
+    throw InputError(fmt::format("{} {} than the one of {}: it cannot go on with it", folder.string(),
+                                 different, study_file(options.study).string()));
   if (!options.yes && !agreed_to_resume(stored)) {
     fmt::print("nothing was changed\n");
     return;

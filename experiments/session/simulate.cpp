@@ -2,11 +2,11 @@
 
 #include <fmt/format.h>
 
-#include "analysis/provenance.h"
 #include "core/base/error.h"
 #include "experiments/session/runner.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/simulated_stage.h"
-#include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -21,51 +21,12 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
                                : SessionStore::create(sessions, identity, durability);
 }
 
-/// The study that a session ran; none if another station is just running it.
-std::optional<std::string> hash_in(const fs::path& folder) {
-  try {
-    return read_session(folder).identity.study_hash;
-  } catch (const DatabaseInUse&) {
-    return std::nullopt;
-  }
-}
-
 std::string note_of(const ObserverOptions& observer) {
   return fmt::format("observer {} rate {:g} seed {}",
                      observer_names()[static_cast<std::size_t>(observer.kind)], observer.rate, observer.seed);
 }
 
 }  // namespace
-
-SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number) {
-  const BuildInfo build = build_info();
-  return {.participant = pseudonym(mode, number),
-          .number = number,
-          .mode = mode,
-          .study_json = format_study(study),
-          .study_hash = study_hash(study),
-          .created_utc = utc_now(),
-          .program = fmt::format("plenolab {} {}{}", build.version, build.revision,
-                                 build.dirty ? " (changed)" : "")};
-}
-
-void require_same_study(const fs::path& sessions, const StudyDefinition& study, SessionMode mode) {
-  if (!fs::is_directory(sessions)) return;
-  const std::string hash = study_hash(study);
-  for (const fs::path& folder : session_folders(sessions)) {
-    const std::string name = folder.filename().string();
-    const bool simulated = name.starts_with(name_of(SessionMode::kSimulated));
-    if (simulated != (mode == SessionMode::kSimulated))
-      throw InputError(fmt::format("{} holds {} sessions: keep {} ones in a folder of their own (-o)",
-                                   sessions.string(), simulated ? "simulated" : "real or pilot",
-                                   name_of(mode)));
-    if (!name.starts_with(name_of(mode))) continue;  // pilots of earlier versions harm nobody
-    if (hash_in(folder).value_or(hash) != hash)
-      throw InputError(fmt::format(
-          "{} ran another version of the study: keep sessions of this one in a folder of their own (-o)",
-          folder.string()));
-  }
-}
 
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {

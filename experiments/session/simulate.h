@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "experiments/session/observer.h"
-#include "experiments/session/store.h"
 #include "experiments/session/trials.h"
 
 namespace plenolab {
@@ -26,14 +25,5 @@ struct SimulationOptions {
 std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
                                         const std::filesystem::path& sessions,
                                         const SimulationOptions& options);
-
-/// Throws InputError if a session of this mode below `sessions` ran another version of the study, or sessions
-/// of people would be mixed with simulated ones. Pilots of earlier versions do not matter to real sessions,
-/// and sessions that another station is just running are taken on trust.
-void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
-                        SessionMode mode);
-
-/// A new session's identity with the next number of its mode.
-SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number);
 
 }  // namespace plenolab

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "experiments/session/sqlite.h"
@@ -58,16 +59,18 @@ void write_identity(SqliteDatabase& database, const SessionIdentity& identity) {
   database.execute("BEGIN IMMEDIATE");
   database.execute(kSchema);
   SqliteStatement insert = database.prepare("INSERT INTO meta VALUES (?, ?)");
-  const std::vector<std::pair<std::string, std::string>> values{{"format", kFormat},
-                                                                {"version", kVersion},
-                                                                {"participant", identity.participant},
-                                                                {"number", std::to_string(identity.number)},
-                                                                {"mode", name_of(identity.mode)},
-                                                                {"study", identity.study_json},
-                                                                {"study_hash", identity.study_hash},
-                                                                {"created_utc", identity.created_utc},
-                                                                {"program", identity.program},
-                                                                {"complete", "1"}};
+  const std::vector<std::pair<std::string, std::string>> values{
+      {"format", kFormat},
+      {"version", kVersion},
+      {"participant", identity.participant},
+      {"number", std::to_string(identity.number)},
+      {"mode", name_of(identity.mode)},
+      {"study", identity.study_json},
+      {"study_hash", identity.study_hash},
+      {"image_hashes", nlohmann::json(identity.image_hashes).dump()},
+      {"created_utc", identity.created_utc},
+      {"program", identity.program},
+      {"complete", "1"}};
   for (const auto& entry : values) {
     insert.bind(1, entry.first).bind(2, entry.second).step();
     insert.reset();
@@ -98,6 +101,9 @@ SessionIdentity read_identity(SqliteDatabase& database, const fs::path& file) {
   identity.mode = mode_named(meta("mode"), file);
   identity.study_json = meta("study");
   identity.study_hash = meta("study_hash");
+  const auto hashes = nlohmann::json::parse(meta("image_hashes"), nullptr, false);
+  for (const auto& entry : hashes.items())
+    if (entry.value().is_string()) identity.image_hashes[entry.key()] = entry.value();
   identity.created_utc = meta("created_utc");
   identity.program = meta("program");
   return identity;

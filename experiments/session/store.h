@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -35,6 +36,7 @@ struct SessionIdentity {
   SessionMode mode = SessionMode::kPilot;
   std::string study_json;  ///< format_study of the study that is run
   std::string study_hash;
+  std::map<std::string, std::string> image_hashes;  ///< of the images that are shown, by file
   std::string created_utc;
   std::string program;  ///< version and revision
 };

@@ -118,7 +118,9 @@ SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition&
 }
 
 StudyDefinition study_of(const SessionIdentity& identity) {
-  return parse_study(identity.study_json, "the study of session " + identity.participant);
+  StudyDefinition study = parse_study(identity.study_json, "the study of session " + identity.participant);
+  study.image_hashes = identity.image_hashes;
+  return study;
 }
 
 }  // namespace plenolab

@@ -45,7 +45,7 @@ StudyDefinition study_of_thesis(const fs::path& folder) {
   study.consent = {"Do you agree?", "Do you agree?", 18, false};
   const StimulusFiles files{"reference.png", "test.png"};
   write_display_image(folder / files.reference, DisplayImage(1, 1));
-  write_display_image(folder / files.test, DisplayImage(1, 1));
+  write_display_image(folder / files.test, DisplayImage(1, 1, Rgb{1, 1, 1}));
   std::vector<std::string> ids;
   for (const StudyCount& count : published_main_study())
     if (std::find(ids.begin(), ids.end(), id_of(count.image)) == ids.end()) ids.push_back(id_of(count.image));

@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/base/random.h"
+#include "experiments/session/example_study.h"
 #include "experiments/session/export.h"
 #include "experiments/session/simulate.h"
 #include "experiments/session/sqlite.h"
@@ -147,6 +148,21 @@ TEST(SessionCommand, RefusesToMixPilotsWithData) {
                                          "-o", folder.path() / "x"}),
                             "shows no image 'oen'", 1);
   expect_one_clear_sentence(run_program({"session", "new", folder.path()}), "never overwritten", 1);
+}
+
+TEST(SessionCommand, ThePlaceholderOfTheConsentIsForPilotsOnly) {
+  const TemporaryFolder folder;
+  const auto headless = [] {
+    ::setenv("SDL_VIDEODRIVER", "dummy", 1), ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  };
+  StudyDefinition study = write_tiny_study(folder.path(), SessionMode::kReal);
+  study.consent.text = example_study().consent.text;
+  write_text_file(folder.path() / "study.json", format_study(study));
+  expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--keyboard"}, headless),
+                            "is still the placeholder", 1);
+  const ProgramResult pilot = run_program({"session", "run", folder.path(), "--pilot"}, headless);
+  EXPECT_NE(pilot.err.find("is still the placeholder"), std::string::npos) << pilot.err;
+  EXPECT_NE(pilot.err.find("no pad is connected"), std::string::npos) << "it goes on: " << pilot.err;
 }
 
 TEST(SessionCommand, AStartThatFailsLeavesNoSession) {

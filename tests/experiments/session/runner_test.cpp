@@ -7,7 +7,7 @@
 
 #include "core/base/file.h"
 #include "experiments/session/consent.h"
-#include "experiments/session/simulate.h"
+#include "experiments/session/same_study.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 

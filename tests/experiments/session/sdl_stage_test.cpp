@@ -7,7 +7,7 @@
 #include "core/base/file.h"
 #include "core/io/image_file.h"
 #include "experiments/session/runner.h"
-#include "experiments/session/simulate.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/simulated_stage.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"

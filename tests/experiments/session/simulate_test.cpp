@@ -6,6 +6,8 @@
 
 #include "core/base/file.h"
 #include "experiments/session/export.h"
+#include "experiments/session/same_study.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 

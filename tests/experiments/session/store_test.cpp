@@ -5,8 +5,10 @@
 #include <unistd.h>
 
 #include "core/base/file.h"
-#include "experiments/session/simulate.h"
+#include "core/io/image_file.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 
@@ -150,6 +152,39 @@ TEST(Store, RealSessionsFollowPilotsOfAnEarlierVersionButNotRealOnes) {
   EXPECT_EQ(message_of(check), "");
   { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
   EXPECT_NE(message_of(check).find("real-001 ran another version"), std::string::npos);
+}
+
+TEST(Store, OneDamagedOrCutOffSessionDoesNotStopAStudy) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
+  create_private_folder(sessions.path / "real-002");
+  create_private_file(sessions.path / "real-002" / "session.db", "", Durability::kProcessEnd);
+  const auto unread = [&] { return require_same_study(sessions.path, sessions.study, SessionMode::kReal); };
+  EXPECT_TRUE(unread().empty()) << "nothing had begun";
+  create_private_folder(sessions.path / "real-003");
+  create_private_file(sessions.path / "real-003" / "session.db", std::string(8192, 'x'),
+                      Durability::kProcessEnd);
+  ASSERT_EQ(unread().size(), 1u);
+  EXPECT_NE(unread().front().find("real-003"), std::string::npos);
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4);
+}
+
+TEST(Store, RealSessionsDoNotGoOnWithImagesThatHaveChanged) {
+  const Sessions sessions;
+  const StudyDefinition before = read_study(sessions.folder.path() / "study");
+  {
+    SessionStore::create(sessions.path, new_identity(before, SessionMode::kReal, 1), Durability::kProcessEnd);
+  }
+  write_display_image(sessions.folder.path() / "study" / "two-test.png", DisplayImage(2, 2));
+  const StudyDefinition after = read_study(sessions.folder.path() / "study");
+  EXPECT_EQ(format_study(before), format_study(after));
+  const StoredSession stored = read_session(sessions.path / "real-001");
+  EXPECT_EQ(difference(stored.identity, before), "");
+  EXPECT_EQ(difference(stored.identity, after), "saw another image in two-test.png");
+  EXPECT_NE(message_of([&] {
+              require_same_study(sessions.path, after, SessionMode::kReal);
+            }).find("real-001 saw another image in two-test.png"),
+            std::string::npos);
 }
 
 TEST(Store, TheDatabaseItselfRefusesChangesAndRemovals) {
