@@ -13,6 +13,7 @@
 #include <cstdio>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/base/error.h"
 #include "experiments/session/sqlite.h"
@@ -147,6 +148,18 @@ bool rename_to_free_name(const fs::path& from, const fs::path& to) {
   return true;
 }
 
+/// Tries again for a quarter of a second while others have the database: reading takes a moment, a session longer.
+void while_briefly_in_use(const std::function<void()>& action) {
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    try {
+      return action();
+    } catch (const DatabaseInUse&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  action();
+}
+
 void require_private(const fs::path& database) {
   for (const char* suffix : {"", "-wal"}) {
     const std::string file = database.string() + suffix;
@@ -159,6 +172,9 @@ void require_private(const fs::path& database) {
 struct SessionStore::Connection {
   Connection(const fs::path& file, Durability durability)
       : database(file, SqliteDatabase::Access::kReadWrite) {
+    while_briefly_in_use([&] { take(file, durability); });
+  }
+  void take(const fs::path& file, Durability durability) {
     // Exclusive locking keeps the WAL index in memory, and everybody else out until the connection closes.
     database.execute("PRAGMA locking_mode=EXCLUSIVE");
     database.execute(durability == Durability::kPowerCut ? "PRAGMA synchronous=FULL"
@@ -245,21 +261,25 @@ void SessionStore::require_space(std::uintmax_t mib) const {
 bool holds_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file)) return false;
-  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
-  return !has_no_tables(database);
+  bool holds = false;
+  while_briefly_in_use([&] {
+    SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);
+    holds = !has_no_tables(database);
+  });
+  return holds;
 }
 
 StoredSession read_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file))
     throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
-  // Even reading a database in WAL mode recovers its log, which needs write access. The lock that a running
-  // session holds keeps readers out.
-  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
-  database.execute("PRAGMA locking_mode=EXCLUSIVE");
-  StoredSession session{read_identity(database, file), read_events(database)};
-  if (database.value("PRAGMA quick_check") != "ok")
-    throw InputError(fmt::format("{} is damaged", file.string()));
+  StoredSession session;
+  while_briefly_in_use([&] {
+    SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);
+    session = {read_identity(database, file), read_events(database)};
+    if (database.value("PRAGMA quick_check") != "ok")
+      throw InputError(fmt::format("{} is damaged", file.string()));
+  });
   return session;
 }
 

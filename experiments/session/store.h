@@ -97,12 +97,13 @@ class SessionStore {
 /// Whether a folder holds a session; false also if its creation was cut off before anything happened in it.
 bool holds_session(const std::filesystem::path& folder);
 
-/// A stored session, read without locking it or changing anything: what was stored when it was read.
+/// A stored session as it was when it was read.
 struct StoredSession {
   SessionIdentity identity;
   std::vector<SessionEvent> events;
 };
 
+/// Reads without changing anything in the folder; the log of an interrupted session stays for who resumes it.
 /// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
 StoredSession read_session(const std::filesystem::path& folder);
 

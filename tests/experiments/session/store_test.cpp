@@ -4,6 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <thread>
+
 #include "core/base/file.h"
 #include "core/io/image_file.h"
 #include "experiments/session/same_study.h"
@@ -138,6 +141,48 @@ TEST(Store, RefusesASecondProgramButNotLaterOnes) {
       EXPECT_NE(message_of(attempt).find("in use by another program"), std::string::npos);
   }
   EXPECT_EQ(message_of([&] { SessionStore::open(sessions.path / "real-001", Durability::kPowerCut); }), "");
+}
+
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& file : fs::directory_iterator(folder))
+    contents[file.path().filename().string()] = read_text_file(file.path());
+  return contents;
+}
+
+TEST(Store, ReadingChangesNothingInAnInterruptedOrAClosedSession) {
+  const Sessions sessions;
+  const fs::path cut = sessions.folder.path() / "cut", closed = sessions.path / "real-001";
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    SessionEvent event = event_of("kept");
+    store.append(event);
+    fs::copy(closed, cut);  // as a power cut leaves it
+  }
+  EXPECT_TRUE(contents_of(cut).contains("session.db-wal"));
+  for (const fs::path& folder : {cut, closed}) {
+    const auto before = contents_of(folder);
+    EXPECT_TRUE(holds_session(folder));
+    EXPECT_EQ(read_session(folder).events.size(), 1u);
+    EXPECT_TRUE(contents_of(folder) == before) << folder;
+  }
+}
+
+TEST(Store, ManyMayReadAnInterruptedSessionAtTheSameTime) {
+  const Sessions sessions;
+  const fs::path cut = sessions.folder.path() / "cut";
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    fs::copy(sessions.path / "real-001", cut);
+  }
+  std::atomic<int> failed = 0;
+  std::vector<std::thread> readers;
+  for (int i = 0; i < 4; ++i)
+    readers.emplace_back([&] {
+      for (int n = 0; n < 20; ++n) failed += message_of([&] { read_session(cut); }).empty() ? 0 : 1;
+    });
+  for (std::thread& reader : readers) reader.join();
+  EXPECT_EQ(failed, 0);
 }
 
 TEST(Store, RealSessionsFollowPilotsOfAnEarlierVersionButNotRealOnes) {
