@@ -41,12 +41,13 @@ void write_description(const StudyDefinition& study, const fs::path& out) {
               {"BIDSVersion", "1.8.0"},
               {"DatasetType", "raw"},
               {"GeneratedBy", Json::array({{{"Name", "plenolab"}, {"Version", build_info().version}}})}});
+  write_text_file(out / ".bidsignore", "trials.csv\nevents.csv\nleft_out.csv\nstudy.json\nrun.json\n");
   write_text_file(
       out / "README",
       fmt::format("{}\n\nDelayed matching to sample with two intervals: which of two images is equal to "
                   "the reference?\nOne run for each block, in the order in which participants had them. "
                   "trials.csv and events.csv hold the same\ntrials and all events in one table each; "
-                  "study.json is the study that was run.\n",
+                  "left_out.csv names the sessions that gave none; study.json is the study that was run.\n",
                   study.title));
 }
 
@@ -160,7 +161,6 @@ std::string events_tsv(const ExportedSession& session, int position) {
 }  // namespace
 
 void write_bids(std::span<const ExportedSession> sessions, const fs::path& out) {
-  if (sessions.empty()) return;
   const StudyDefinition& study = sessions.front().study;
   write_description(study, out);
   write_participants(sessions, study, out);

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 
 #include "analysis/timing.h"
@@ -131,6 +132,7 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   ResultTable table;
   std::vector<std::string> unread;
+  std::map<std::pair<std::string, std::string>, int> orders;  // sessions that reached trials
   for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
     try {
       const StoredSession stored = read_session(folder);
@@ -145,6 +147,7 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
       table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
       table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
       table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
+      if (!summary.trials.empty()) ++orders[{name_of(stored.identity.mode), summary.trials.front().order}];
     } catch (const InputError& error) {
       unread.push_back(error.what());
     }
@@ -155,14 +158,23 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
                                    {"trials_planned", "planned"},
                                    {"runs", "runs"},
                                    {"events", "events"}}));
+  for (const auto& [which, count] : orders) {
+    tell(options.common,
+         fmt::format("{} sessions with trials in the order {}: {}", which.first, which.second, count));
+    table.add({"sessions_with_trials",
+               static_cast<double>(count),
+               "sessions",
+               {{"mode", which.first}, {"order", which.second}}});
+  }
   for (const std::string& line : unread) tell(options.common, "not read: " + line);
   write_results(table, provenance, options.common);
 }
 
-struct ExportOptions {
+struct ExportCommandOptions {
   CommonOptions common;
   std::string folder, out, mode = "real";
   bool force = false;
+  ExportOptions choices;
 };
 
 SessionMode mode_named(const std::string& name) {
@@ -171,7 +183,7 @@ SessionMode mode_named(const std::string& name) {
                            : SessionMode::kSimulated;
 }
 
-void export_command(const Invocation& invocation, const ExportOptions& options) {
+void export_command(const Invocation& invocation, const ExportCommandOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["mode"] = options.mode;
   const fs::path sessions = existing_sessions_folder(options.folder);
@@ -179,16 +191,23 @@ void export_command(const Invocation& invocation, const ExportOptions& options) 
   const std::string item = fmt::format("{} --mode {}", item_path(sessions), options.mode);
   write_result_folder({options.out, "session export", item, options.force}, provenance,
                       [&](const fs::path& folder) {
-                        counts = export_sessions(sessions, mode_named(options.mode), folder);
-                        fs::permissions(folder, fs::perms::owner_all);
+                        counts = export_sessions(sessions, mode_named(options.mode), folder, options.choices);
                       });
   ResultTable table;
-  for (const auto& [quantity, value] :
-       {std::pair{"sessions", counts.sessions}, std::pair{"sessions_done", counts.done},
-        std::pair{"trials", counts.trials}, std::pair{"events", counts.events}})
-    table.add({quantity, static_cast<double>(value), quantity, {{"mode", options.mode}}});
+  const auto add = [&](const char* quantity, int value, const char* unit, const std::string& order = "") {
+    std::vector<std::pair<std::string, Cell>> columns{{"mode", options.mode}};
+    if (!order.empty()) columns.push_back({"order", order});
+    table.add({quantity, static_cast<double>(value), unit, columns});
+  };
+  add("sessions", counts.sessions, "sessions");
+  add("sessions_done", counts.done, "sessions");
+  for (const auto& entry : counts.orders) add("sessions_with_trials", entry.second, "sessions", entry.first);
+  add("sessions_left_out", static_cast<int>(counts.left_out.size()), "sessions");
+  add("trials", counts.trials, "trials");
+  add("events", counts.events, "events");
   emit_results(table, provenance, options.common);
-  for (const std::string& line : counts.left_out) tell(options.common, "left out: " + line);
+  for (const LeftOutSession& left : counts.left_out)
+    tell(options.common, fmt::format("left out: {}: {}", left.session, left.reason));
   tell(options.common, fmt::format("wrote trials.csv, events.csv and a BIDS data set to {}", options.out));
 }
 
@@ -253,12 +272,16 @@ void add_session_list(CLI::App& session, const Invocation& invocation) {
 void add_session_export(CLI::App& session, const Invocation& invocation) {
   CLI::App& app =
       *session.add_subcommand("export", "Write trials and events as tables, and as a BIDS data set");
-  auto options = std::make_shared<ExportOptions>();
+  auto options = std::make_shared<ExportCommandOptions>();
   app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
   app.add_option("-o,--out", options->out, "Folder for the tables")->required()->check(not_empty());
   app.add_option("--mode", options->mode, "Which sessions; they are never mixed")
       ->check(one_of({"real", "pilot", "simulated"}))
       ->capture_default_str();
+  app.add_flag("--leave-out-damaged", options->choices.leave_out_damaged,
+               "Go on without sessions that cannot be read; otherwise nothing is exported");
+  app.add_flag("--wall-clock", options->choices.wall_clock,
+               "With date and time of every event, which may tell who somebody is");
   add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer("Example: plenolab session export study -o exported");

@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cstdio>
 #include <cstring>
+#include <ctime>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -148,7 +149,8 @@ bool rename_to_free_name(const fs::path& from, const fs::path& to) {
   return true;
 }
 
-/// Tries again for a quarter of a second while others have the database: reading takes a moment, a session longer.
+/// Tries again for a quarter of a second while others have the database: reading takes a moment, a session
+/// longer.
 void while_briefly_in_use(const std::function<void()>& action) {
   for (int attempt = 0; attempt < 12; ++attempt) {
     try {
@@ -351,6 +353,20 @@ std::string utc_now() {
   const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
   return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
                      fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)), (now - seconds).count());
+}
+
+double seconds_between(const std::string& from_utc, const std::string& to_utc) {
+  const auto milliseconds = [](const std::string& utc) {
+    std::tm time{};
+    int ms = 0;
+    const int found = std::sscanf(utc.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon,
+                                  &time.tm_mday, &time.tm_hour, &time.tm_min, &time.tm_sec, &ms);
+    PLENOLAB_CHECK(found == 7, utc);
+    time.tm_year -= 1900;
+    --time.tm_mon;
+    return static_cast<double>(::timegm(&time)) * 1000 + ms;
+  };
+  return (milliseconds(to_utc) - milliseconds(from_utc)) / 1000;
 }
 
 void create_private_folder(const fs::path& folder) {

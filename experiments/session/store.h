@@ -130,6 +130,9 @@ void withdraw_session(const std::filesystem::path& sessions, const std::string& 
 /// Now, as "2026-01-31T12:00:00.123Z".
 std::string utc_now();
 
+/// From one time of utc_now() to another, in seconds.
+double seconds_between(const std::string& from_utc, const std::string& to_utc);
+
 /// Creates a folder 0700 with those above it, and waits until all are on the disk; one that exists stays as
 /// it is.
 void create_private_folder(const std::filesystem::path& folder);

@@ -205,6 +205,63 @@ TEST(Export, RefusesCopiesAndRenamedFoldersOfSessions) {
   EXPECT_NE(message(SessionMode::kReal).find("holds the simulated session simulated-002"), std::string::npos);
 }
 
+TEST(Export, FailsOnDamageAndOnNothingToExportAndNamesWhatItLeavesOut) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 2));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const auto message = [&](ExportOptions options = {}) {
+    return message_of([&] { export_sessions(sessions, SessionMode::kSimulated, out, options); });
+  };
+  write_text_file(sessions / "simulated-003" / "session.db", "");
+  {
+    const SessionStore running = SessionStore::open(sessions / "simulated-001", Durability::kProcessEnd);
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(read_text_file(out / "left_out.csv"),
+              "session,reason\r\nsimulated-001,in use\r\nsimulated-003,cut off while it was created\r\n");
+    const SessionStore too = SessionStore::open(sessions / "simulated-002", Durability::kProcessEnd);
+    EXPECT_NE(message().find("nothing to export"), std::string::npos) << message();
+    EXPECT_NE(message().find("simulated-002 (in use)"), std::string::npos) << message();
+  }
+  fs::resize_file(sessions / "simulated-002" / "session.db", 5000);
+  EXPECT_NE(message().find("nothing is exported (--leave-out-damaged"), std::string::npos) << message();
+  EXPECT_EQ(message({.leave_out_damaged = true}), "");
+  EXPECT_NE(read_text_file(out / "left_out.csv").find("simulated-002,damaged\r\n"), std::string::npos);
+  EXPECT_EQ(read_text_file(out / "trials.csv").find("simulated-002"), std::string::npos);
+}
+
+TEST(Export, IsForItsOwnerAloneAndTellsNoDates) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 3));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const ExportCounts counts = export_sessions(sessions, SessionMode::kSimulated, out);
+  EXPECT_EQ(counts.orders.at("headset-first"), 2);
+  EXPECT_EQ(counts.orders.at("monitor-first"), 1);
+  const auto others = fs::perms::group_all | fs::perms::others_all;
+  const std::string day = utc_now().substr(0, 10);
+  EXPECT_EQ(fs::status(out).permissions() & others, fs::perms::none);
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    EXPECT_EQ(entry.status().permissions() & others, fs::perms::none) << entry.path();
+    if (entry.is_directory()) continue;
+    EXPECT_EQ(read_text_file(entry.path()).find(day), std::string::npos) << entry.path();
+  }
+  EXPECT_NE(read_text_file(out / "events.csv").find(",since_start_s,"), std::string::npos);
+  export_sessions(sessions, SessionMode::kSimulated, out, {.wall_clock = true});
+  EXPECT_NE(read_text_file(out / "events.csv").find(day), std::string::npos);
+  EXPECT_EQ(seconds_between("2026-02-28T23:59:59.900Z", "2026-03-01T00:00:01.150Z"), 1.25);
+}
+
+TEST(Export, NamesWhatIsNotBidsForItsValidator) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 1));
+  const fs::path out = simulated.folder.path() / "out";
+  export_sessions(simulated.folder.path() / "sessions", SessionMode::kSimulated, out);
+  const std::string ignored = read_text_file(out / ".bidsignore");
+  for (const auto& entry : fs::directory_iterator(out)) {
+    const std::string name = entry.path().filename().string();
+    const bool bids = name == "README" || name == "dataset_description.json" || name == ".bidsignore" ||
+                      name.starts_with("participants.") || name.starts_with("task-") ||
+                      name.starts_with("sub-");
+    EXPECT_EQ(ignored.find(name + "\n") != std::string::npos, !bids) << name;
+  }
+}
+
 TEST(WrongProbabilities, AreReadFromATableAndBadLinesAreNamed) {
   const TemporaryFolder folder;
   const fs::path file = folder.path() / "wrong.csv";
