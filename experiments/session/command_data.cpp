@@ -11,6 +11,7 @@
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
+#include "experiments/cli/stop_signals.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/example_study.h"
@@ -112,6 +113,8 @@ void simulate(const Invocation& invocation, const SimulateOptions& options) {
   add_input(provenance, study_file(options.study));
   ProgressBar bar("simulate");
   simulation.progress = bar.callback();
+  say_on_stop(fmt::format(
+      "the simulated sessions so far are kept in {}, and the same command goes on with them", options.out));
   const std::vector<TrialRecord> trials = simulate_study(options.study, options.out, simulation);
   bar.clear();
   ResultTable table;

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/checks.h"
+#include "experiments/cli/stop_signals.h"
 #include "experiments/cli/suggest.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/runner.h"
@@ -33,10 +34,9 @@ struct RunOptions {
   StageOptions stage;
 };
 
-struct ResumeOptions {
-  std::string study, out, participant;
+struct ResumeOptions : RunOptions {
+  std::string participant;
   bool yes = false;
-  StageOptions stage;
 };
 
 void add_stage_options(CLI::App& app, StageOptions& options) {
@@ -64,36 +64,55 @@ void require_trying_out(const StageOptions& options, SessionMode mode) {
   if (!options.screenshots.empty()) throw UsageError("--screenshots is for pilots: taking them costs time");
 }
 
-void tell_end(const SessionStore& store, SessionState state) {
-  const std::string& who = store.identity().participant;
-  if (state == SessionState::kInterrupted)
-    fmt::print(
-        "session {} was stopped; everything so far is stored in {}; 'plenolab session resume' goes on\n", who,
-        store.folder().string());
-  else
-    fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
+void warn(const std::string& line) {
+  fmt::print(stderr, "plenolab: {}\n", line);
+}
+
+/// The command that goes on with a session.
+std::string resume_command(const RunOptions& options, const std::string& participant) {
+  return fmt::format("plenolab session resume {} {}{}", options.study, participant,
+                     options.out.empty() ? "" : " -o " + options.out);
 }
 
 /// Makes sure of display and pad before `begin` creates or opens the session: nothing is left by a failed
 /// start.
-void run_on_screen(const std::function<SessionStore()>& begin, const fs::path& images,
-                   const StageOptions& options) {
-  const SdlLibrary sdl(SdlLibrary::Use::kScreen);
-  SdlStage stage({options.window, options.screenshots});
-  if (!options.keyboard && !stage.has_pad())
+SessionState run_on_stage(SdlStage& stage, const std::function<SessionStore()>& begin,
+                          const RunOptions& options) {
+  const StageOptions& how = options.stage;
+  const StageEquipment equipment = stage.equipment();
+  if (!how.keyboard && equipment.pad.empty())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
+  if (!equipment.audio) warn("there is no audio: no tone will be heard");
   SessionStore store = begin();
-  fmt::print("session {} ({}) {}\n", store.identity().participant,
+  const std::string& who = store.identity().participant;
+  const std::string kept = fmt::format("everything so far is stored in {}; '{}' goes on",
+                                       store.folder().string(), resume_command(options, who));
+  say_on_stop(kept);
+  fmt::print("session {} ({}) {}\n", who,
              store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real",
              store.events().empty() ? "begins" : "goes on");
   std::fflush(stdout);
-  RunnerOptions runner{.images = images, .any_timing = options.any_timing};
-  if (options.echo) runner.on_event = print_event;
-  tell_end(store, run_session(store, stage, runner));
+  RunnerOptions runner{
+      .images = study_folder(options.study), .any_timing = how.any_timing, .keyboard = how.keyboard};
+  if (how.echo) runner.on_event = print_event;
+  const SessionState state = run_session(store, stage, runner);
+  if (state == SessionState::kInterrupted)
+    fmt::print("session {} was stopped; {}\n", who, kept);
+  else
+    fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
+  return state;
 }
 
-void warn(const std::string& line) {
-  fmt::print(stderr, "plenolab: {}\n", line);
+/// A stop signal ends the session as closing its window does, and then the program.
+void run_on_screen(const std::function<SessionStore()>& begin, const RunOptions& options) {
+  StopRequest stop;
+  SessionState state;
+  {
+    const SdlLibrary sdl(SdlLibrary::Use::kScreen);
+    SdlStage stage({options.stage.window, options.stage.screenshots, [&] { return stop.requested(); }});
+    state = run_on_stage(stage, begin, options);
+  }
+  if (state == SessionState::kInterrupted) stop.end_if_requested();
 }
 
 /// Nobody can agree to the text that `session new` writes.
@@ -127,7 +146,7 @@ void run_new(const RunOptions& options) {
     return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
                                 Durability::kPowerCut);
   };
-  run_on_screen(begin, study_folder(options.study), options.stage);
+  run_on_screen(begin, options);
 }
 
 bool is_interrupted(const StoredSession& stored) {
@@ -198,8 +217,7 @@ void resume(const ResumeOptions& options) {
     fmt::print("nothing was changed\n");
     return;
   }
-  run_on_screen([&] { return SessionStore::open(folder, Durability::kPowerCut); },
-                study_folder(options.study), options.stage);
+  run_on_screen([&] { return SessionStore::open(folder, Durability::kPowerCut); }, options);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "core/base/error.h"
@@ -50,27 +51,38 @@ class Session {
     if (so_far_.state != SessionState::kInterrupted) return so_far_.state;
     store_.require_space();
     recorder_.write("run_started", name_of(store_.identity().mode), so_far_.runs > 0 ? "resumed" : "new",
-                    fmt::format(R"({{"study":"{}","order":"{}","note":"{}"}})", store_.identity().study_hash,
-                                plan_.order, options_.note));
+                    circumstances());
     try {
-      return through();
-    } catch (const SessionStopped&) {
-      return SessionState::kInterrupted;
+      through();
+    } catch (const SessionStopped&) {  // on the last page, too: the state stays what it has come to
     }
+    return state_;
   }
 
  private:
-  SessionState through() {
+  /// What cannot be known later about this run, as JSON.
+  std::string circumstances() {
+    const StageEquipment equipment = stage_.equipment();
+    const nlohmann::ordered_json json{{"study", store_.identity().study_hash},
+                                      {"order", plan_.order},
+                                      {"pad", equipment.pad.empty() ? "none" : equipment.pad},
+                                      {"keyboard", options_.keyboard},
+                                      {"audio", equipment.audio ? "yes" : "none"},
+                                      {"any_timing", options_.any_timing},
+                                      {"note", options_.note}};
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
+
+  void through() {
     open(study_.text_screen);
-    if (!consent()) return SessionState::kDeclined;
-    if (!person()) return SessionState::kExcluded;
+    if (!consent() || !person()) return;
     if (so_far_.trials.empty()) read(instruction_page(study_));
     for (std::size_t i = 0; i < plan_.blocks.size(); ++i) block(static_cast<int>(i) + 1);
     open(study_.text_screen);
     for (const FormQuestion& question : closing_questions(study_)) answer(question);
     recorder_.write("session_done");
+    state_ = SessionState::kDone;
     read(message("end", "Thank you.\n\nThat was all. Please tell the experimenter."));
-    return SessionState::kDone;
   }
 
   std::string read(const FormQuestion& page) { return ask(stage_, recorder_, inputs_, page, banner_); }
@@ -112,6 +124,7 @@ class Session {
 
   bool declined() {
     recorder_.write("consent", "", "declined");
+    state_ = SessionState::kDeclined;
     read(message("declined", "Thank you for your time.\n\nNothing further is asked or stored."));
     return false;
   }
@@ -120,6 +133,7 @@ class Session {
     for (const FormQuestion& question : person_questions(study_.demographics)) {
       if (!answers_far_sighted(answer(question))) continue;
       recorder_.write("excluded", "vision", "far-sighted");
+      state_ = SessionState::kExcluded;
       read(message(
           "excluded",
           "Thank you for your interest.\n\nThe images hold things too near to be seen sharply by far-sighted "
@@ -205,6 +219,7 @@ class Session {
   std::string banner_;
   DisplayReport display_;
   bool opened_ = false;
+  SessionState state_ = SessionState::kInterrupted;
 };
 
 }  // namespace

@@ -15,7 +15,8 @@ struct RunnerOptions {
   /// Go on with a display whose flips do not wait for it or do not keep the rate it states. Refused for real
   /// participants otherwise: the black between images could not be trusted.
   bool any_timing = false;
-  std::string note;  ///< stored with the start of the run, e.g. the simulated observer
+  bool keyboard = false;  ///< the keyboard was asked for; stored with the start of the run
+  std::string note;       ///< stored with the start of the run, e.g. the simulated observer
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
 };
 

@@ -3,6 +3,7 @@
 #include <SDL.h>
 #include <SDL_ttf.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -24,8 +25,9 @@ namespace plenolab {
 class SdlStage final : public Stage {
  public:
   struct Options {
-    bool windowed = false;    ///< a window instead of the full screen, for trying out
-    std::string screenshots;  ///< folder for a picture of everything that is drawn; empty: none
+    bool windowed = false;                 ///< a window instead of the full screen, for trying out
+    std::string screenshots;               ///< folder for a picture of everything that is drawn; empty: none
+    std::function<bool()> stop_requested;  ///< asked at every poll; true counts as closing the window
   };
   explicit SdlStage(Options options);
   ~SdlStage() override;
@@ -35,9 +37,9 @@ class SdlStage final : public Stage {
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
   std::vector<RawInput> poll() override;
-  void tone() override;
-  void vibrate() override { input_.rumble(250); }
-  bool has_pad();
+  StageEquipment equipment() override;
+  bool tone() override;
+  bool vibrate() override { return input_.rumble(250); }
 
  private:
   struct DestroyWindow {
@@ -62,6 +64,7 @@ class SdlStage final : public Stage {
   Texture upload(const std::filesystem::path& file);
   void open_fonts();
   void open_audio();
+  static void SDLCALL fill_audio(void* self, Uint8* stream, int bytes);
   void save_screenshot();
 
   Options options_;
@@ -71,6 +74,8 @@ class SdlStage final : public Stage {
   TTF_Font* font_ = nullptr;
   TTF_Font* small_font_ = nullptr;
   SDL_AudioDeviceID audio_ = 0;
+  std::vector<std::int16_t> tone_;  // samples
+  std::size_t tone_at_ = 0;         // the next one to be heard; locked with the audio device
   SdlInput input_;
   std::vector<RawInput> waiting_;
   Picture picture_;

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 namespace plenolab {
 
 namespace {
@@ -116,11 +118,11 @@ class TrialLoop {
   }
 
   void react(const TrialReaction& reaction, Press press, const std::string& input) {
+    nlohmann::ordered_json detail{{"input", input}};
+    if (reaction.tone) detail["tone"] = context_.stage.tone();
+    if (reaction.vibrate) detail["vibration"] = context_.stage.vibrate();
     if (reaction.press)
-      context_.recorder.write("press", name_of(press), name_of(*reaction.press),
-                              fmt::format(R"({{"input":"{}"}})", input));
-    if (reaction.tone) context_.stage.tone();
-    if (reaction.vibrate) context_.stage.vibrate();
+      context_.recorder.write("press", name_of(press), name_of(*reaction.press), detail.dump());
     react(reaction);
   }
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -27,9 +28,14 @@ std::vector<std::string> simulate_arguments(const fs::path& study, const fs::pat
           "unplugging",     "--wrong", "one=0.5",  "--durable", "--echo",         "-o", out};
 }
 
-/// Runs the program and kills it once it has acknowledged `events` events; the last number it told. It may
-/// have stored more by then. `ended` tells whether it came to its end instead.
-std::int64_t run_and_kill(const std::vector<std::string>& arguments, int events, bool& ended) {
+struct Killed {
+  std::int64_t last = 0;  ///< event that was acknowledged; more may be stored
+  int status = 0;         ///< as of waitpid
+  std::string rest;       ///< what it said after the signal
+};
+
+/// Runs the program and sends it a signal once it has acknowledged `events` events.
+Killed run_and_kill(const std::vector<std::string>& arguments, int events, int number = SIGKILL) {
   int ends[2];
   PLENOLAB_CHECK(::pipe(ends) == 0, "pipe");
   const pid_t child = ::fork();
@@ -44,16 +50,15 @@ std::int64_t run_and_kill(const std::vector<std::string>& arguments, int events,
   }
   ::close(ends[1]);
   std::FILE* lines = ::fdopen(ends[0], "r");
-  std::int64_t last = 0;
+  Killed killed;
   char line[512];
   for (int i = 0; i < events && std::fgets(line, sizeof line, lines); ++i)
-    if (line[0] >= '0' && line[0] <= '9' && std::string(line).back() == '\n') last = std::atoll(line);
-  ::kill(child, SIGKILL);
-  int status = 0;
-  ::waitpid(child, &status, 0);
-  ended = WIFEXITED(status);
+    if (line[0] >= '0' && line[0] <= '9' && std::string(line).back() == '\n') killed.last = std::atoll(line);
+  ::kill(child, number);
+  while (number != SIGKILL && std::fgets(line, sizeof line, lines)) killed.rest += line;
+  ::waitpid(child, &killed.status, 0);
   std::fclose(lines);
-  return last;
+  return killed;
 }
 
 /// Without the attempt, in which trials that were interrupted differ.
@@ -88,20 +93,20 @@ TEST(KilledSession, KeepsEveryAcknowledgedEventAndGoesOnAsIfNothingHadHappened) 
   const TemporaryFolder folder;
   const fs::path study = folder.path() / "study";
   write_tiny_study(study);
-  bool ended = false;
-  run_and_kill(simulate_arguments(study, folder.path() / "whole"), 100'000, ended);
+  run_and_kill(simulate_arguments(study, folder.path() / "whole"), 100'000);
   const std::string whole = exported_trials(folder.path() / "whole", folder.path() / "whole-out");
   int kills = 0, repeated = 0;
   for (int session = 0; kills < kills_wanted(); ++session) {
     const fs::path out = folder.path() / ("killed-" + std::to_string(session));
-    ended = false;
+    bool ended = false;
     for (std::uint64_t attempt = 0; !ended; ++attempt) {
       // At most six times within a session: later runs then come to the end.
       const std::uint64_t word = random_u64(7, static_cast<std::uint64_t>(session), attempt);
       const int events = attempt < 6 ? 1 + static_cast<int>(word % 60) : 100'000;
-      const std::int64_t acknowledged = run_and_kill(simulate_arguments(study, out), events, ended);
+      const Killed killed = run_and_kill(simulate_arguments(study, out), events);
+      ended = WIFEXITED(killed.status);
       kills += ended ? 0 : 1;
-      if (holds_session(out / "simulated-001")) expect_sound(out / "simulated-001", acknowledged);
+      if (holds_session(out / "simulated-001")) expect_sound(out / "simulated-001", killed.last);
     }
     EXPECT_EQ(exported_trials(out, folder.path() / ("out-" + std::to_string(session))), whole) << session;
     const StoredSession stored = read_session(out / "simulated-001");
@@ -126,6 +131,29 @@ TEST(KilledSession, AFullDiskIsOneSentenceAndNothingIsLost) {
   EXPECT_GT(stored, 5u);
   EXPECT_EQ(run_program(arguments).status, 0);
   EXPECT_GT(read_session(out / "simulated-001").events.size(), stored);
+}
+
+TEST(KilledSession, ASignalToStopEndsItInGoodOrderAndTellsHowToGoOn) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path());
+  ::setenv("SDL_VIDEODRIVER", "dummy", 1), ::setenv("SDL_AUDIODRIVER", "dummy", 1);
+  for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
+    const Killed killed = run_and_kill(
+        {PLENOLAB_PROGRAM, "session", "run", folder.path(), "--pilot", "--keyboard", "--echo"}, 3, number);
+    EXPECT_TRUE(WIFSIGNALED(killed.status) && WTERMSIG(killed.status) == number) << killed.status;
+    const std::string who = fmt::format("pilot-{:03}", number == SIGTERM ? 1 : number == SIGINT ? 2 : 3);
+    EXPECT_NE(killed.rest.find(fmt::format("session {} was stopped; everything so far is stored in ", who)),
+              std::string::npos)
+        << killed.rest;
+    EXPECT_NE(
+        killed.rest.find(fmt::format("'plenolab session resume {} {}' goes on", folder.path().string(), who)),
+        std::string::npos)
+        << killed.rest;
+    const StoredSession stored = read_session(folder.path() / "sessions" / who);
+    EXPECT_EQ(stored.events.back().kind, "stopped");
+    EXPECT_NE(stored.events.front().detail.find(R"("audio":"yes")"), std::string::npos);
+  }
+  ::unsetenv("SDL_VIDEODRIVER"), ::unsetenv("SDL_AUDIODRIVER");
 }
 
 TEST(SessionCommand, RefusesToMixPilotsWithData) {

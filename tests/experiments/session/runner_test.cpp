@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
 #include "experiments/session/consent.h"
@@ -40,8 +41,10 @@ class ScriptedStage final : public Stage {
           {.kind = RawInput::Kind::kKey, .name = key, .down = true, .t_low_us = now_us_, .t_us = now_us_});
     return inputs;
   }
-  void tone() override {}
-  void vibrate() override {}
+  StageEquipment equipment() override { return {"", audio}; }
+  bool tone() override { return audio; }
+  bool vibrate() override { return false; }
+  bool audio = true;
 
   std::map<std::string, std::vector<std::string>>
       answers;  // keys by id of the question; else the first choice
@@ -305,6 +308,62 @@ TEST(Runner, ClosingTheWindowTogetherWithTheChoiceStoresTheChoiceAndStops) {
   EXPECT_EQ(fixture.run(stage), SessionState::kInterrupted);
   EXPECT_EQ(fixture.count("choice"), 1);
   EXPECT_EQ(fixture.count("stopped"), 1);
+}
+
+TEST(Runner, ClosingTheWindowOnTheLastPageLeavesASessionDone) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  stage.pad = [](const Picture& picture) {
+    return picture.question == "end" ? std::vector<RawInput>{{.kind = RawInput::Kind::kClose}}
+                                     : std::vector<RawInput>{};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  EXPECT_EQ(fixture.summary().state, SessionState::kDone);
+  EXPECT_EQ(fixture.count("stopped"), 1);
+}
+
+TEST(Runner, WhatItWasRunWithIsStored) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  stage.audio = false;
+  run_session(
+      fixture.store, stage,
+      {.images = fixture.folder.path() / "study", .any_timing = true, .keyboard = true, .note = "a\"b"});
+  const auto run = nlohmann::json::parse(fixture.store.events().front().detail);
+  EXPECT_EQ(run.at("pad"), "none");
+  EXPECT_EQ(run.at("keyboard"), true);
+  EXPECT_EQ(run.at("audio"), "none");
+  EXPECT_EQ(run.at("any_timing"), true);
+  EXPECT_EQ(run.at("note"), "a\"b");
+}
+
+TEST(Runner, TonesAndVibrationsAreStoredWithWhatCameOfThem) {
+  for (const bool audio : {true, false}) {
+    Fixture fixture;
+    ScriptedStage stage;
+    stage.answers["age"] = {"Return"};
+    stage.audio = audio;
+    bool pressed = false;
+    stage.pad = [&](const Picture& picture) -> std::vector<RawInput> {
+      if (pressed || picture.stimulus != Stimulus::kReference) return {};
+      pressed = true;
+      return {key("Return")};  // the reference cannot be chosen
+    };
+    EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+    int refused = 0;
+    for (const SessionEvent& event : fixture.store.events()) {
+      if (event.kind != "press") continue;
+      const auto detail = nlohmann::json::parse(event.detail);
+      const bool is_refused = event.outcome == "refused_reference";
+      refused += is_refused ? 1 : 0;
+      ASSERT_EQ(detail.contains("tone"), is_refused);
+      ASSERT_EQ(detail.contains("vibration"), is_refused);
+      EXPECT_EQ(detail.value("tone", audio), audio);
+    }
+    EXPECT_EQ(refused, 1);
+  }
 }
 
 TEST(Runner, RealSessionsRefuseADisplayThatDoesNotKeepTime) {
