@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "experiments/session/runner.h"
 #include "experiments/session/same_study.h"
 #include "experiments/session/simulated_stage.h"
@@ -21,9 +24,52 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
                                : SessionStore::create(sessions, identity, durability);
 }
 
-std::string note_of(const ObserverOptions& observer) {
-  return fmt::format("observer {} rate {:g} seed {}",
-                     observer_names()[static_cast<std::size_t>(observer.kind)], observer.rate, observer.seed);
+constexpr const char* kRecordFile = "simulation.json";
+
+/// What decides how simulated participants behave, as stored beside their sessions.
+nlohmann::ordered_json record_of(const ObserverOptions& observer) {
+  return {{"format", "plenolab-simulation"},
+          {"version", 1},
+          {"observer", observer_names()[static_cast<std::size_t>(observer.kind)]},
+          {"rate", observer.rate},
+          {"seed", observer.seed},
+          {"wrong", nlohmann::ordered_json(observer.wrong)}};
+}
+
+/// The options in words: "observer ideal, rate 0, seed 1, wrong near 0.1".
+std::string options_in(const nlohmann::ordered_json& record) {
+  std::string text;
+  for (const char* key : {"observer", "rate", "seed"})
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key,
+                        record[key].is_string() ? record[key].get<std::string>() : record[key].dump());
+  for (const auto& entry : record["wrong"].items())
+    text += fmt::format(", wrong {} {}", entry.key(), entry.value().dump());
+  return text;
+}
+
+bool holds_only_a_torn_record(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != std::string(kRecordFile) + ".partial") return false;
+  return true;
+}
+
+/// Records the options in a new folder; one that exists must have been simulated with the same.
+void require_same_options(const fs::path& sessions, const ObserverOptions& observer, Durability durability) {
+  const nlohmann::ordered_json record = record_of(observer);
+  const fs::path file = sessions / kRecordFile;
+  if (!fs::exists(sessions) || (fs::is_directory(sessions) && holds_only_a_torn_record(sessions))) {
+    create_private_folder(sessions);
+    return create_private_file(file, record.dump(2) + "\n", durability);
+  }
+  if (!fs::is_regular_file(file))
+    throw InputError(fmt::format("{} is there and no simulation: give a new folder (-o)", sessions.string()));
+  const auto before = nlohmann::ordered_json::parse(read_text_file(file, 16u << 20), nullptr, false);
+  if (before == record) return;
+  bool readable = before.is_object() && before.contains("wrong") && before["wrong"].is_object();
+  for (const char* key : {"observer", "rate", "seed"}) readable = readable && before.contains(key);
+  if (!readable) throw InputError(fmt::format("{} is damaged: give a new folder (-o)", file.string()));
+  throw InputError(fmt::format("{} was simulated with {}, not with {}: give a new folder (-o)",
+                               sessions.string(), options_in(before), options_in(record)));
 }
 
 }  // namespace
@@ -31,7 +77,8 @@ std::string note_of(const ObserverOptions& observer) {
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {
   const StudyDefinition study = read_study(study_path);
-  require_same_study(sessions, study, SessionMode::kSimulated);
+  if (fs::is_directory(sessions)) require_same_study(sessions, study, SessionMode::kSimulated);
+  require_same_options(sessions, options.observer, options.durability);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
   std::vector<TrialRecord> records;
   for (int number = 1; number <= options.participants; ++number) {
@@ -39,8 +86,9 @@ std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::pa
     ObserverOptions observer = options.observer;
     observer.number = number;
     SimulatedStage stage(observer);
-    RunnerOptions runner{
-        .images = study_folder(study_path), .note = note_of(observer), .on_event = options.on_event};
+    RunnerOptions runner{.images = study_folder(study_path),
+                         .note = options_in(record_of(observer)),
+                         .on_event = options.on_event};
     run_session(store, stage, runner);
     const SessionSummary summary = summarise(store.identity(), study, store.events());
     records.insert(records.end(), summary.trials.begin(), summary.trials.end());

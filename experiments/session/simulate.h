@@ -21,7 +21,9 @@ struct SimulationOptions {
 
 /// Runs simulated participants 1 … n through the whole session: consent, questions, trials, questionnaire, by
 /// a virtual pad. Sessions in `sessions` that are done stay as they are, interrupted ones are resumed,
-/// missing ones created. Throws InputError if the folder holds sessions of another study or of people.
+/// missing ones created; what they behave by is in simulation.json there. Throws InputError if the folder was
+/// simulated with other options (their number aside), holds sessions of another study or of people, or is
+/// not empty and no simulation.
 std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
                                         const std::filesystem::path& sessions,
                                         const SimulationOptions& options);

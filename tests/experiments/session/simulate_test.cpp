@@ -148,7 +148,7 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
   const Simulated simulated(with(ObserverKind::kIdeal, 2));
   const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
   const std::string before = read_text_file(sessions / "simulated-001" / "session.db");
-  EXPECT_EQ(simulate_study(study, sessions, with(ObserverKind::kGuessing, 3)).size(), 18u);
+  EXPECT_EQ(simulate_study(study, sessions, with(ObserverKind::kIdeal, 3)).size(), 18u);
   EXPECT_EQ(read_text_file(sessions / "simulated-001" / "session.db"), before);
   StudyDefinition other = read_study(study);
   EXPECT_NE(message_of([&] {
@@ -161,6 +161,28 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
               require_same_study(sessions, other, SessionMode::kSimulated);
             }).find("another version"),
             std::string::npos);
+}
+
+TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 1, {{"one", 0.25}}));
+  const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
+  const auto message = [&](const SimulationOptions& options, const fs::path& folder) {
+    return message_of([&] { simulate_study(study, folder, options); });
+  };
+  EXPECT_EQ(message(with(ObserverKind::kIdeal, 2, {{"one", 0.25}}), sessions), "");
+  EXPECT_NE(message(with(ObserverKind::kIdeal, 1, {{"one", 0.5}}), sessions)
+                .find("was simulated with observer ideal, rate 0.0, seed 1, wrong one 0.25, not with"),
+            std::string::npos);
+  SimulationOptions seeded = with(ObserverKind::kIdeal, 1, {{"one", 0.25}});
+  seeded.observer.seed = 2;
+  EXPECT_NE(message(seeded, sessions).find("seed 2"), std::string::npos);
+  EXPECT_NE(message(with(ObserverKind::kGuessing, 1), sessions).find("observer guessing"), std::string::npos);
+  EXPECT_EQ(session_folders(sessions).size(), 2u);
+  EXPECT_NE(message(with(ObserverKind::kIdeal, 1), study).find("is there and no simulation"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(study / "simulated-001"));
+  write_text_file(sessions / "simulation.json", "{}");
+  EXPECT_NE(message(seeded, sessions).find("simulation.json is damaged"), std::string::npos);
 }
 
 TEST(Export, HoldsEveryTrialAndNoName) {
