@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/stop_signals.h"
+#include "experiments/cli/suggest.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/example_study.h"
@@ -57,17 +59,51 @@ void add_wrong(WrongProbabilities& wrong, const std::string& text) {
   if (equals == std::string::npos || equals == 0 ||
       !probability(std::string(text.substr(equals + 1))).empty())
     throw UsageError(fmt::format("--wrong: '{}' is not IMAGE=P or BLOCK/IMAGE=P with P from 0 to 1", text));
-  wrong[text.substr(0, equals)] = std::stod(text.substr(equals + 1));
+  const std::string image = text.substr(0, equals);
+  if (!wrong.emplace(image, std::stod(text.substr(equals + 1))).second)
+    throw UsageError(fmt::format("--wrong: '{}' is given twice", image));
 }
 
-SimulationOptions simulation_of(const SimulateOptions& options) {
+/// What a study shows that can be taken wrongly: "image" and "block/image".
+std::vector<std::string> names_for_wrong(const StudyDefinition& study) {
+  std::vector<std::string> names;
+  for (const StudyBlock& block : study.blocks)
+    for (const std::string& image : block.images) {
+      if (std::find(names.begin(), names.end(), image) == names.end()) names.push_back(image);
+      names.push_back(block.id + "/" + image);
+    }
+  return names;
+}
+
+/// The probabilities of the options; those of --wrong go before those of the file.
+WrongProbabilities wrong_of(const SimulateOptions& options, const StudyDefinition& study) {
+  const std::vector<std::string> names = names_for_wrong(study);
+  const auto known = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  WrongProbabilities wrong;
+  for (const std::string& text : options.wrong) add_wrong(wrong, text);
+  for (const auto& entry : wrong)
+    if (!known(entry.first))
+      throw UsageError(fmt::format("--wrong: the study shows no image '{}'{}", entry.first,
+                                   did_you_mean(entry.first, names)));
+  if (options.wrong_file.empty()) return wrong;
+  for (const auto& entry : read_wrong_probabilities(options.wrong_file)) {
+    if (!known(entry.first))
+      throw InputError(fmt::format("{}: the study shows no image '{}'{}", options.wrong_file, entry.first,
+                                   did_you_mean(entry.first, names)));
+    wrong.insert(entry);
+  }
+  return wrong;
+}
+
+SimulationOptions simulation_of(const SimulateOptions& options, const StudyDefinition& study) {
   SimulationOptions simulation;
   simulation.participants = options.participants;
   simulation.observer.kind = observer_named(options.observer);
   simulation.observer.rate = options.rate < 0 ? default_rate(simulation.observer.kind) : options.rate;
   simulation.observer.seed = options.common.seed;
-  if (!options.wrong_file.empty()) simulation.observer.wrong = read_wrong_probabilities(options.wrong_file);
-  for (const std::string& text : options.wrong) add_wrong(simulation.observer.wrong, text);
+  simulation.observer.wrong = wrong_of(options, study);
   if (options.durable) simulation.durability = Durability::kPowerCut;
   if (options.echo)
     simulation.on_event = [](const SessionEvent& e) {
@@ -75,18 +111,6 @@ SimulationOptions simulation_of(const SimulateOptions& options) {
       std::fflush(stdout);
     };
   return simulation;
-}
-
-/// Throws InputError if a probability is for an image or block that the study does not have.
-void require_known(const WrongProbabilities& wrong, const StudyDefinition& study) {
-  for (const auto& entry : wrong) {
-    bool known = false;
-    for (const StudyBlock& block : study.blocks)
-      for (const std::string& image : block.images)
-        known = known || entry.first == image || entry.first == block.id + "/" + image;
-    if (!known)
-      throw InputError(fmt::format("the study shows no image '{}' that could be taken wrongly", entry.first));
-  }
 }
 
 void add_wrong_rows(ResultTable& table, const StudyDefinition& study,
@@ -104,13 +128,13 @@ void add_wrong_rows(ResultTable& table, const StudyDefinition& study,
 
 void simulate(const Invocation& invocation, const SimulateOptions& options) {
   const StudyDefinition study = read_study(options.study);
-  SimulationOptions simulation = simulation_of(options);
-  require_known(simulation.observer.wrong, study);
+  SimulationOptions simulation = simulation_of(options, study);
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["observer"] = options.observer;
   provenance.parameters["rate"] = simulation.observer.rate;
   provenance.parameters["participants"] = static_cast<long long>(options.participants);
   add_input(provenance, study_file(options.study));
+  if (!options.wrong_file.empty()) add_input(provenance, options.wrong_file);
   ProgressBar bar("simulate");
   simulation.progress = bar.callback();
   say_on_stop(fmt::format(
@@ -220,7 +244,8 @@ void add_session_new(CLI::App& session, const Invocation&) {
   CLI::App& app = *session.add_subcommand("new", "Write a study to start from");
   auto options = std::make_shared<NewOptions>();
   app.add_option("folder", options->folder, "Folder for the study, which must be empty or not exist")
-      ->required();
+      ->required()
+      ->check(not_empty());
   app.add_option(
          "--images", options->images,
          "Image set of 'plenolab reproject --image-set', or folder of pairs NAME-reference.png and "
@@ -234,7 +259,7 @@ void add_session_new(CLI::App& session, const Invocation&) {
 void add_session_simulate(CLI::App& session, const Invocation& invocation) {
   CLI::App& app = *session.add_subcommand("simulate", "Run simulated participants through the whole study");
   auto options = std::make_shared<SimulateOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("study", options->study, "Study file, or its folder")->required()->check(not_empty());
   app.add_option("-o,--out", options->out,
                  "Folder of the simulated sessions; interrupted ones there are resumed")
       ->required()
@@ -266,7 +291,9 @@ void add_session_simulate(CLI::App& session, const Invocation& invocation) {
 void add_session_list(CLI::App& session, const Invocation& invocation) {
   CLI::App& app = *session.add_subcommand("list", "What sessions there are and how far they have come");
   auto options = std::make_shared<ListOptions>();
-  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")
+      ->required()
+      ->check(not_empty());
   add_common_options(app, options->common);
   app.footer("Example: plenolab session list study");
   app.callback([options, &invocation] { list_sessions(invocation, *options); });
@@ -276,7 +303,9 @@ void add_session_export(CLI::App& session, const Invocation& invocation) {
   CLI::App& app =
       *session.add_subcommand("export", "Write trials and events as tables, and as a BIDS data set");
   auto options = std::make_shared<ExportCommandOptions>();
-  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")
+      ->required()
+      ->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder for the tables")->required()->check(not_empty());
   app.add_option("--mode", options->mode, "Which sessions; they are never mixed")
       ->check(one_of({"real", "pilot", "simulated"}))

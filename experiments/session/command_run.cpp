@@ -233,7 +233,7 @@ fs::path existing_sessions_folder(const fs::path& given) {
 void add_session_run(CLI::App& session) {
   CLI::App& app = *session.add_subcommand("run", "Run the session of the next participant");
   auto options = std::make_shared<RunOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("study", options->study, "Study file, or its folder")->required()->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
       ->check(not_empty());
   app.add_flag("--pilot", options->pilot, "Try the study out: stored and exported as a pilot, never as data");
@@ -246,9 +246,9 @@ void add_session_resume(CLI::App& session) {
   CLI::App& app =
       *session.add_subcommand("resume", "Go on with an interrupted session; its last trial is repeated");
   auto options = std::make_shared<ResumeOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
-  app.add_option("participant", options->participant,
-                 "Session to resume (default: the only interrupted one)");
+  app.add_option("study", options->study, "Study file, or its folder")->required()->check(not_empty());
+  app.add_option("participant", options->participant, "Session to resume (default: the only interrupted one)")
+      ->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
       ->check(not_empty());
   app.add_flag("--yes", options->yes, "Do not ask first");

@@ -322,14 +322,18 @@ bool is_withdrawn(const fs::path& sessions, const std::string& participant) {
   return fs::exists(sessions / kWithdrawnFolder / participant);
 }
 
-void withdraw_session(const fs::path& sessions, const std::string& participant) {
-  const fs::path folder = sessions / participant, consent = sessions / "consent";
+bool holds_participant(const fs::path& sessions, const std::string& participant) {
   const bool pseudonym = participant.find('/') == std::string::npos &&
                          (participant.starts_with("real-") || participant.starts_with("pilot-") ||
                           participant.starts_with("simulated-"));
-  const bool present =
-      pseudonym && (fs::is_directory(folder) || fs::exists(consent / (participant + ".json")));
-  if (!present) throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
+  return pseudonym && (fs::is_directory(sessions / participant) ||
+                       fs::exists(sessions / "consent" / (participant + ".json")));
+}
+
+void withdraw_session(const fs::path& sessions, const std::string& participant) {
+  const fs::path folder = sessions / participant, consent = sessions / "consent";
+  if (!holds_participant(sessions, participant))
+    throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
   if (fs::is_regular_file(folder / kDatabaseFile)) {
     try {
       SqliteDatabase database(folder / kDatabaseFile, SqliteDatabase::Access::kReadWrite);

@@ -121,6 +121,9 @@ int next_number(const std::filesystem::path& sessions, SessionMode mode);
 /// Whether withdraw_session was called for this pseudonym.
 bool is_withdrawn(const std::filesystem::path& sessions, const std::string& participant);
 
+/// Whether there is a session or a consent under this pseudonym.
+bool holds_participant(const std::filesystem::path& sessions, const std::string& participant);
+
 /// Removes a session and its consent and leaves SESSIONS/withdrawn/PSEUDONYM, with nothing in it but the
 /// time, so that the pseudonym is not given to anybody else. If it is cut off, the session counts as
 /// withdrawn already, and calling it again removes the rest. Throws InputError if there is no such session,

@@ -174,8 +174,29 @@ TEST(SessionCommand, RefusesToMixPilotsWithData) {
                             "--wrong: 'one=2' is not", 2);
   expect_one_clear_sentence(run_program({"session", "simulate", folder.path() / "pilot", "--wrong", "oen=0.2",
                                          "-o", folder.path() / "x"}),
-                            "shows no image 'oen'", 1);
+                            "--wrong: the study shows no image 'oen'; did you mean 'one'?", 2);
   expect_one_clear_sentence(run_program({"session", "new", folder.path()}), "never overwritten", 1);
+}
+
+TEST(SessionCommand, BadValuesOfOptionsAreWrongUse) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path() / "study");
+  const std::string study = folder.path() / "study", out = folder.path() / "out";
+  create_private_folder(folder.path() / "study" / "sessions" / "pilot-001");
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"session", "new", ""}, "give a name, not ''"},
+      {{"session", "list", ""}, "give a name, not ''"},
+      {{"session", "run", ""}, "give a name, not ''"},
+      {{"session", "simulate", study, "-o", out, "--wrong", "one=0.1", "--wrong", "one=0.2"},
+       "'one' is given twice"},
+      {{"session", "simulate", study, "-o", out, "--wrong", "monitr/one=0.1"}, "did you mean 'monitor/one'?"},
+      {{"session", "withdraw", study, "pilot-010"}, "holds no session 'pilot-010'"}};
+  for (const auto& entry : cases) expect_one_clear_sentence(run_program(entry.first), entry.second, 2);
+  EXPECT_FALSE(fs::exists(out));
+  write_text_file(folder.path() / "wrong.csv", "block,image,wrong\n,oen,0.5\n");
+  expect_one_clear_sentence(
+      run_program({"session", "simulate", study, "-o", out, "--wrong-file", folder.path() / "wrong.csv"}),
+      "wrong.csv: the study shows no image 'oen'; did you mean 'one'?", 1);
 }
 
 TEST(SessionCommand, ThePlaceholderOfTheConsentIsForPilotsOnly) {
