@@ -89,11 +89,6 @@ const char* name_of(SessionState state) {
   return kNames[static_cast<std::size_t>(state)];
 }
 
-bool SessionSummary::answered(const std::string& question) const {
-  return std::any_of(answers.begin(), answers.end(),
-                     [&](const SessionAnswer& answer) { return answer.question == question; });
-}
-
 bool SessionSummary::completed(int position, int trial) const {
   return std::any_of(trials.begin(), trials.end(), [&](const TrialRecord& record) {
     return record.position == position && record.trial == trial;

@@ -52,7 +52,6 @@ struct SessionSummary {
   std::vector<TrialRecord> trials;  ///< completed ones, in the order of the plan
   int trials_planned = 0;
 
-  bool answered(const std::string& question) const;
   bool completed(int position, int trial) const;
 };
 

@@ -1,6 +1,8 @@
 #include "experiments/session/store.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -272,28 +274,52 @@ TEST(Store, DamagedFilesAreToldFromSessions) {
             std::string::npos);
 }
 
+/// No file may grow beyond `bytes` as long as this exists: a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  sighandler_t handler_;
+  rlimit before_{};
+};
+
 TEST(Store, AFullDiskStopsTheSessionWithEverythingBeforeStored) {
   const Sessions sessions;
-  std::int64_t stored = 0;
+  std::size_t stored = 0;
   {
     SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
     EXPECT_EQ(message_of([&] { store.require_space(1); }), "");
     EXPECT_NE(message_of([&] { store.require_space(std::uintmax_t{1} << 43); }).find("MiB are free"),
               std::string::npos);
+    const auto fill = [&] {
+      for (; stored < 10'000; ++stored) {
+        SessionEvent event = event_of("press");
+        store.append(event);
+      }
+    };
+    std::string message;
+    {
+      const FullDisk full(200'000);
+      message = message_of(fill);
+    }
+    EXPECT_NE(message.find("everything before is stored"), std::string::npos) << message;
+    EXPECT_GT(stored, 10u);
+    EXPECT_EQ(store.events().size(), stored);
   }
-  // The limit is kept by this connection: SQLite then answers as on a full disk.
-  SqliteDatabase database(sessions.path / "real-001" / "session.db", SqliteDatabase::Access::kReadWrite);
-  database.execute("PRAGMA max_page_count = 20");
-  const auto fill = [&] {
-    for (; stored < 100'000; ++stored)
-      database.execute(
-          "INSERT INTO events (run, t_us, t_low_us, utc, position, trial, attempt, block, image, kind, "
-          "what, outcome, detail) VALUES (1,2,3,'',0,0,0,'','','press','','','" +
-          std::string(200, 'x') + "')");
-  };
-  EXPECT_NE(message_of(fill).find("full"), std::string::npos);
-  EXPECT_EQ(database.value("SELECT count(*) FROM events"), std::to_string(stored));
-  EXPECT_EQ(database.value("PRAGMA integrity_check"), "ok");
+  EXPECT_EQ(read_session(sessions.path / "real-001").events.size(), stored);
+  SessionStore again = SessionStore::open(sessions.path / "real-001", Durability::kPowerCut);
+  SessionEvent event = event_of("resumed");
+  again.append(event);
+  EXPECT_EQ(event.sequence, static_cast<std::int64_t>(stored) + 1);
 }
 
 TEST(Store, AFolderThatCannotBeMadeIsNamedWithItsReason) {
