@@ -14,6 +14,7 @@
 #include "experiments/session/runner.h"
 #include "experiments/session/same_study.h"
 #include "experiments/session/sdl_stage.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/simulate.h"
 #include "experiments/session/sqlite.h"
 #include "experiments/session/study_files.h"

@@ -8,6 +8,7 @@
 #include "experiments/cli/checks.h"
 #include "experiments/cli/suggest.h"
 #include "experiments/session/commands.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/store.h"
 
 namespace plenolab {

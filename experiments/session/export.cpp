@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "experiments/session/bids.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
 
 namespace plenolab {

@@ -4,6 +4,7 @@
 
 #include "analysis/provenance.h"
 #include "core/base/error.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
 
 namespace plenolab {

@@ -1,12 +1,9 @@
 #include "experiments/session/store.h"
 
-#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
@@ -17,6 +14,8 @@
 #include <thread>
 
 #include "core/base/error.h"
+#include "experiments/session/private_files.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
 
 namespace plenolab {
@@ -24,8 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kDatabaseFile = "session.db";
-constexpr const char* kWithdrawnFolder = "withdrawn";
 constexpr const char* kFormat = "plenolab-session";
 constexpr const char* kVersion = "1";
 
@@ -122,31 +119,6 @@ std::vector<SessionEvent> read_events(SqliteDatabase& database) {
                       rows.text(12), rows.text(13)});
   }
   return events;
-}
-
-void sync(int descriptor, const fs::path& path) {
-  if (::fsync(descriptor) != 0)
-    throw InputError(fmt::format("cannot store {} safely: {}", path.string(), std::strerror(errno)));
-}
-
-/// Makes the entries of a folder durable. File systems that cannot (EINVAL) keep them durable by themselves.
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  const bool synced = descriptor >= 0 && (::fsync(descriptor) == 0 || errno == EINVAL);
-  const int reason = errno;
-  if (descriptor >= 0) ::close(descriptor);
-  if (!synced)
-    throw InputError(fmt::format("cannot store {} safely: {}", folder.string(), std::strerror(reason)));
-}
-
-/// Gives a file its name unless the name is taken; false if it is.
-bool rename_to_free_name(const fs::path& from, const fs::path& to) {
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
-  if (errno != EINVAL && errno != ENOSYS) return false;
-  // A file system without renameat2's flag: the same in two steps.
-  if (::link(from.c_str(), to.c_str()) != 0) return false;
-  ::unlink(from.c_str());
-  return true;
 }
 
 /// Tries again for a quarter of a second while others have the database: reading takes a moment, a session
@@ -285,73 +257,6 @@ StoredSession read_session(const fs::path& folder) {
   return session;
 }
 
-std::vector<fs::path> session_folders(const fs::path& sessions) {
-  if (!fs::is_directory(sessions))
-    throw InputError(fmt::format("{} is no folder of sessions: it does not exist", sessions.string()));
-  std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(sessions))
-    if (fs::is_regular_file(entry.path() / kDatabaseFile) &&
-        !is_withdrawn(sessions, entry.path().filename().string()))
-      folders.push_back(entry.path());
-  std::sort(folders.begin(), folders.end());
-  return folders;
-}
-
-std::string pseudonym(SessionMode mode, int number) {
-  return fmt::format("{}-{:03}", name_of(mode), number);
-}
-
-int next_number(const fs::path& sessions, SessionMode mode) {
-  const std::string prefix = std::string(name_of(mode)) + "-";
-  int last = 0;
-  // A consent without a session and a withdrawn session used their number too.
-  for (const fs::path& used : {sessions, sessions / "consent", sessions / kWithdrawnFolder}) {
-    if (!fs::is_directory(used)) continue;
-    for (const auto& entry : fs::directory_iterator(used)) {
-      const std::string name = entry.path().filename().string();
-      int number = 0;
-      if (name.starts_with(prefix) &&
-          std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec == std::errc{})
-        last = std::max(last, number);
-    }
-  }
-  return last + 1;
-}
-
-bool is_withdrawn(const fs::path& sessions, const std::string& participant) {
-  return fs::exists(sessions / kWithdrawnFolder / participant);
-}
-
-bool holds_participant(const fs::path& sessions, const std::string& participant) {
-  const bool pseudonym = participant.find('/') == std::string::npos &&
-                         (participant.starts_with("real-") || participant.starts_with("pilot-") ||
-                          participant.starts_with("simulated-"));
-  return pseudonym && (fs::is_directory(sessions / participant) ||
-                       fs::exists(sessions / "consent" / (participant + ".json")));
-}
-
-void withdraw_session(const fs::path& sessions, const std::string& participant) {
-  const fs::path folder = sessions / participant, consent = sessions / "consent";
-  if (!holds_participant(sessions, participant))
-    throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
-  if (fs::is_regular_file(folder / kDatabaseFile)) {
-    try {
-      SqliteDatabase database(folder / kDatabaseFile, SqliteDatabase::Access::kReadWrite);
-      database.execute("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT");
-    } catch (const DatabaseInUse&) {
-      throw;
-    } catch (const InputError&) {  // who withdraws is removed even if the file is damaged
-    }
-  }
-  create_private_folder(sessions / kWithdrawnFolder);
-  if (!is_withdrawn(sessions, participant))
-    create_private_file(sessions / kWithdrawnFolder / participant, utc_now() + "\n", Durability::kPowerCut);
-  for (const char* suffix : {".json", ".json.partial"}) fs::remove(consent / (participant + suffix));
-  if (fs::is_directory(consent)) sync_folder(consent);
-  fs::remove_all(folder);
-  sync_folder(sessions);
-}
-
 std::string utc_now() {
   const auto now = std::chrono::floor<std::chrono::milliseconds>(std::chrono::system_clock::now());
   const auto seconds = std::chrono::floor<std::chrono::seconds>(now);
@@ -371,36 +276,6 @@ double seconds_between(const std::string& from_utc, const std::string& to_utc) {
     return static_cast<double>(::timegm(&time)) * 1000 + ms;
   };
   return (milliseconds(to_utc) - milliseconds(from_utc)) / 1000;
-}
-
-void create_private_folder(const fs::path& folder) {
-  std::error_code error;
-  if (fs::is_directory(folder, error)) return;
-  if (folder.has_parent_path() && folder.has_relative_path()) create_private_folder(folder.parent_path());
-  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
-    throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), std::strerror(errno)));
-  sync_folder(folder.parent_path());
-}
-
-void create_private_file(const fs::path& file, const std::string& text, Durability durability) {
-  const auto failed = [&] {
-    return InputError(fmt::format("cannot create {}: {}", file.string(), std::strerror(errno)));
-  };
-  errno = EEXIST;
-  if (fs::exists(file)) throw failed();
-  // What a cut-off attempt left under this name was never acknowledged.
-  const std::string partial = file.string() + ".partial";
-  const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
-  if (descriptor < 0) throw failed();
-  const std::shared_ptr<void> closer(nullptr, [descriptor](void*) { ::close(descriptor); });
-  for (std::size_t written = 0; written < text.size();) {
-    const ssize_t count = ::write(descriptor, text.data() + written, text.size() - written);
-    if (count < 0) throw failed();
-    written += static_cast<std::size_t>(count);
-  }
-  if (durability == Durability::kPowerCut) sync(descriptor, file);
-  if (!rename_to_free_name(partial, file)) throw failed();
-  if (durability == Durability::kPowerCut) sync_folder(file.parent_path());
 }
 
 }  // namespace plenolab

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/session/private_files.h"
 #include "experiments/session/study.h"
 
 namespace plenolab {
@@ -57,12 +58,8 @@ struct SessionEvent {
   std::string detail;  ///< JSON or text; may be empty
 };
 
-/// How much is waited for.
-enum class Durability {
-  kPowerCut,    ///< synchronous=FULL: every event survives a power cut
-  kProcessEnd,  ///< synchronous=OFF: survives the end of the program however it comes; for simulated
-                ///< participants
-};
+/// The database of a session, in its folder.
+inline constexpr const char* kDatabaseFile = "session.db";
 
 class SessionStore {
  public:
@@ -107,41 +104,10 @@ struct StoredSession {
 /// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
 StoredSession read_session(const std::filesystem::path& folder);
 
-/// Folders of all sessions below a data folder but withdrawn ones, sorted by name. Throws InputError if there
-/// is no such folder.
-std::vector<std::filesystem::path> session_folders(const std::filesystem::path& sessions);
-
-/// "real-001", "pilot-012", "simulated-034".
-std::string pseudonym(SessionMode mode, int number);
-
-/// The lowest number after all that were used in this mode, by sessions, consents or withdrawn participants:
-/// a pseudonym is never given twice.
-int next_number(const std::filesystem::path& sessions, SessionMode mode);
-
-/// Whether withdraw_session was called for this pseudonym.
-bool is_withdrawn(const std::filesystem::path& sessions, const std::string& participant);
-
-/// Whether there is a session or a consent under this pseudonym.
-bool holds_participant(const std::filesystem::path& sessions, const std::string& participant);
-
-/// Removes a session and its consent and leaves SESSIONS/withdrawn/PSEUDONYM, with nothing in it but the
-/// time, so that the pseudonym is not given to anybody else. If it is cut off, the session counts as
-/// withdrawn already, and calling it again removes the rest. Throws InputError if there is no such session,
-/// DatabaseInUse if it is running.
-void withdraw_session(const std::filesystem::path& sessions, const std::string& participant);
-
 /// Now, as "2026-01-31T12:00:00.123Z".
 std::string utc_now();
 
 /// From one time of utc_now() to another, in seconds.
 double seconds_between(const std::string& from_utc, const std::string& to_utc);
-
-/// Creates a folder 0700 with those above it, and waits until all are on the disk; one that exists stays as
-/// it is.
-void create_private_folder(const std::filesystem::path& folder);
-
-/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked. It is there with
-/// all of the text or not at all; until then it is FILE.partial.
-void create_private_file(const std::filesystem::path& file, const std::string& text, Durability durability);
 
 }  // namespace plenolab

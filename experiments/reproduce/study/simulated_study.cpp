@@ -9,6 +9,7 @@
 #include "experiments/reproduce/study/published.h"
 #include "experiments/reproduce/study/study_item.h"
 #include "experiments/session/export.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/simulate.h"
 
 namespace plenolab {

@@ -7,6 +7,7 @@
 #include "core/base/file.h"
 #include "experiments/session/export.h"
 #include "experiments/session/same_study.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"

@@ -12,6 +12,7 @@
 #include "core/base/file.h"
 #include "core/io/image_file.h"
 #include "experiments/session/same_study.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
 #include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
