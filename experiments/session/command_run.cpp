@@ -77,20 +77,20 @@ std::string resume_command(const RunOptions& options, const std::string& partici
 
 /// Makes sure of display and pad before `begin` creates or opens the session: nothing is left by a failed
 /// start.
-SessionState run_on_stage(SdlStage& stage, const std::function<SessionStore()>& begin,
-                          const RunOptions& options) {
+SessionState run_on_stage(SdlStage& stage, const StudyDefinition& study, SessionMode mode,
+                          const std::function<SessionStore()>& begin, const RunOptions& options) {
   const StageOptions& how = options.stage;
   const StageEquipment equipment = stage.equipment();
   if (!how.keyboard && equipment.pad.empty())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
   if (!equipment.audio) warn("there is no audio: no tone will be heard");
+  require_displays(stage, study, mode, how.any_timing);
   SessionStore store = begin();
   const std::string& who = store.identity().participant;
   const std::string kept = fmt::format("everything so far is stored in {}; '{}' goes on",
                                        store.folder().string(), resume_command(options, who));
   say_on_stop(kept);
-  fmt::print("session {} ({}) {}\n", who,
-             store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real",
+  fmt::print("session {} ({}) {}\n", who, mode == SessionMode::kPilot ? "PILOT: not data" : "real",
              store.events().empty() ? "begins" : "goes on");
   std::fflush(stdout);
   RunnerOptions runner{
@@ -105,13 +105,14 @@ SessionState run_on_stage(SdlStage& stage, const std::function<SessionStore()>& 
 }
 
 /// A stop signal ends the session as closing its window does, and then the program.
-void run_on_screen(const std::function<SessionStore()>& begin, const RunOptions& options) {
+void run_on_screen(const StudyDefinition& study, SessionMode mode, const std::function<SessionStore()>& begin,
+                   const RunOptions& options) {
   StopRequest stop;
   SessionState state;
   {
     const SdlLibrary sdl(SdlLibrary::Use::kScreen);
     SdlStage stage({options.stage.window, options.stage.screenshots, [&] { return stop.requested(); }});
-    state = run_on_stage(stage, begin, options);
+    state = run_on_stage(stage, study, mode, begin, options);
   }
   if (state == SessionState::kInterrupted) stop.end_if_requested();
 }
@@ -147,7 +148,7 @@ void run_new(const RunOptions& options) {
     return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
                                 Durability::kPowerCut);
   };
-  run_on_screen(begin, options);
+  run_on_screen(study, mode, begin, options);
 }
 
 bool is_interrupted(const StoredSession& stored) {
@@ -218,7 +219,8 @@ void resume(const ResumeOptions& options) {
     fmt::print("nothing was changed\n");
     return;
   }
-  run_on_screen([&] { return SessionStore::open(folder, Durability::kPowerCut); }, options);
+  const auto begin = [&] { return SessionStore::open(folder, Durability::kPowerCut); };
+  run_on_screen(study, stored.identity.mode, begin, options);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -27,6 +28,15 @@ std::string timing_fault(const DisplayReport& display) {
   const double stated_ms = 1000 / display.refresh_hz;
   if (std::abs(display.interval_ms / stated_ms - 1) <= kIntervalTolerance) return "";
   return fmt::format("it states {:.2f} ms a frame, but flips take {:.2f} ms", stated_ms, display.interval_ms);
+}
+
+void require_timing(const DisplayReport& display, SessionMode mode, bool any_timing) {
+  const std::string fault = timing_fault(display);
+  if (!fault.empty() && mode == SessionMode::kReal && !any_timing)
+    throw InputError(
+        fmt::format("display {} ({}) cannot be trusted with time: {}; use another, or --any-timing to go "
+                    "on and have it stored",
+                    display.screen, display.name, fault));
 }
 
 class Session {
@@ -153,12 +163,7 @@ class Session {
             R"({{"screen":{},"width_px":{},"height_px":{},"refresh_hz":{:.3f},"interval_ms":{:.3f}}})",
             display_.screen, display_.width_px, display_.height_px, display_.refresh_hz,
             display_.interval_ms));
-    const std::string fault = timing_fault(display_);
-    if (!fault.empty() && store_.identity().mode == SessionMode::kReal && !options_.any_timing)
-      throw InputError(
-          fmt::format("display {} ({}) cannot be trusted with time: {}; use another, or --any-timing to go "
-                      "on and have it stored",
-                      screen, display_.name, fault));
+    require_timing(display_, store_.identity().mode, options_.any_timing);
   }
 
   bool block_complete(int position) const {
@@ -223,6 +228,14 @@ class Session {
 };
 
 }  // namespace
+
+void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing) {
+  std::set<int> screens;
+  for (const StudyBlock& block : study.blocks) screens.insert(block.screen);
+  screens.erase(study.text_screen);
+  for (const int screen : screens) require_timing(stage.open_display(screen), mode, any_timing);
+  require_timing(stage.open_display(study.text_screen), mode, any_timing);  // last: the session begins on it
+}
 
 SessionState run_session(SessionStore& store, Stage& stage, const RunnerOptions& options) {
   return Session(store, stage, options).run();

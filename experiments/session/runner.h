@@ -20,6 +20,11 @@ struct RunnerOptions {
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
 };
 
+/// Opens every display that the study needs, so that a session does not begin that cannot be run. Throws
+/// InputError if one is not there, or, for real sessions and unless `any_timing`, cannot be trusted with
+/// time.
+void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing);
+
 /// Runs a session from where it stands to its end, or until it is stopped:
 /// consent → questions about the person → instructions → blocks of trials → questionnaire → end.
 /// Every event is stored before anything else is shown. Throws InputError if something cannot be stored or

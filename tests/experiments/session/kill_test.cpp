@@ -223,6 +223,15 @@ TEST(SessionCommand, AStartThatFailsLeavesNoSession) {
   expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--pilot"}, headless),
                             "no pad is connected", 1);
   EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
+  write_tiny_study(folder.path(), SessionMode::kReal);
+  expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--keyboard"}, headless),
+                            "cannot be trusted with time", 1);
+  StudyDefinition two_screens = write_tiny_study(folder.path());
+  two_screens.blocks[1].screen = 1;
+  write_text_file(folder.path() / "study.json", format_study(two_screens));
+  expect_one_clear_sentence(run_program({"session", "run", folder.path(), "--pilot", "--keyboard"}, headless),
+                            "the study wants display 1, but there are only 1", 1);
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
   const auto no_screen = [] {
     for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}) ::unsetenv(name);
     ::setenv("XDG_RUNTIME_DIR", "/nonexistent", 1);
