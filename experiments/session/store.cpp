@@ -270,7 +270,7 @@ double seconds_between(const std::string& from_utc, const std::string& to_utc) {
     int ms = 0;
     const int found = std::sscanf(utc.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon,
                                   &time.tm_mday, &time.tm_hour, &time.tm_min, &time.tm_sec, &ms);
-    PLENOLAB_CHECK(found == 7, utc);
+    if (found != 7) throw InputError(fmt::format("'{}' is no time: the session is damaged", utc));
     time.tm_year -= 1900;
     --time.tm_mon;
     return static_cast<double>(::timegm(&time)) * 1000 + ms;

@@ -107,7 +107,7 @@ StoredSession read_session(const std::filesystem::path& folder);
 /// Now, as "2026-01-31T12:00:00.123Z".
 std::string utc_now();
 
-/// From one time of utc_now() to another, in seconds.
+/// From one time of utc_now() to another, in seconds. Throws InputError if one is none.
 double seconds_between(const std::string& from_utc, const std::string& to_utc);
 
 }  // namespace plenolab
