@@ -42,26 +42,32 @@ struct ListOptions {
   std::string folder;
 };
 
+/// Sessions that reached trials, by mode and order of blocks.
+using OrderCounts = std::map<std::pair<std::string, std::string>, int>;
+
+void add_session_rows(ResultTable& table, OrderCounts& orders, const StoredSession& stored) {
+  const std::string mode = name_of(stored.identity.mode);
+  const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+  const std::vector<std::pair<std::string, Cell>> columns{{"session", stored.identity.participant},
+                                                          {"mode", mode},
+                                                          {"state", std::string(name_of(summary.state))},
+                                                          {"created", stored.identity.created_utc},
+                                                          {"study", stored.identity.study_hash.substr(0, 8)}};
+  table.add({"trials_completed", static_cast<double>(summary.trials.size()), "trials", columns});
+  table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
+  table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
+  table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
+  if (!summary.trials.empty()) ++orders[{mode, summary.trials.front().order}];
+}
+
 void list_sessions(const Invocation& invocation, const ListOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   ResultTable table;
   std::vector<std::string> unread;
-  std::map<std::pair<std::string, std::string>, int> orders;  // sessions that reached trials
+  OrderCounts orders;
   for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
     try {
-      const StoredSession stored = read_session(folder);
-      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
-      const std::vector<std::pair<std::string, Cell>> columns{
-          {"session", stored.identity.participant},
-          {"mode", std::string(name_of(stored.identity.mode))},
-          {"state", std::string(name_of(summary.state))},
-          {"created", stored.identity.created_utc},
-          {"study", stored.identity.study_hash.substr(0, 8)}};
-      table.add({"trials_completed", static_cast<double>(summary.trials.size()), "trials", columns});
-      table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
-      table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
-      table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
-      if (!summary.trials.empty()) ++orders[{name_of(stored.identity.mode), summary.trials.front().order}];
+      add_session_rows(table, orders, read_session(folder));
     } catch (const InputError& error) {
       unread.push_back(error.what());
     }
@@ -81,6 +87,7 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
                {{"mode", which.first}, {"order", which.second}}});
   }
   for (const std::string& line : unread) tell(options.common, "not read: " + line);
+  table.add({"sessions_not_read", static_cast<double>(unread.size()), "sessions", {}});
   write_results(table, provenance, options.common);
 }
 

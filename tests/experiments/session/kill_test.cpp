@@ -7,6 +7,7 @@
 
 #include <cstdio>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "analysis/psychophysics/csv.h"
 #include "core/base/error.h"
@@ -242,6 +243,31 @@ TEST(SessionCommand, AStartThatFailsLeavesNoSession) {
   EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
   expect_one_clear_sentence(run_program({"session", "resume", folder.path()}, headless),
                             "is no folder of sessions", 1);
+}
+
+TEST(SessionCommand, ListsAndExportsWhatCanBeReadAndTellsWhatCannot) {
+  const TemporaryFolder folder;
+  const StudyDefinition study = write_tiny_study(folder.path() / "study");
+  SimulationOptions options;
+  options.participants = 2;
+  simulate_study(folder.path() / "study", folder.path() / "sessions", options);
+  const std::string sessions = folder.path() / "sessions", out = folder.path() / "out";
+  write_text_file(folder.path() / "sessions" / "simulated-003" / "session.db", std::string(8192, 'x'));
+  const ProgramResult listed = run_program({"session", "list", sessions});
+  EXPECT_NE(listed.out.find("in the order headset-first: 1"), std::string::npos) << listed.out;
+  EXPECT_NE(listed.out.find("not read: "), std::string::npos) << listed.out;
+  const ProgramResult json = run_program({"session", "list", sessions, "--json", "-"});
+  const auto rows = nlohmann::json::parse(json.out).at("rows");
+  EXPECT_EQ(rows.back().at("quantity"), "sessions_not_read");
+  EXPECT_EQ(rows.back().at("value"), 1);
+  expect_one_clear_sentence(run_program({"session", "export", sessions, "--mode", "simulated", "-o", out}),
+                            "is damaged or no database", 1);
+  EXPECT_FALSE(fs::exists(out));
+  const ProgramResult exported = run_program(
+      {"session", "export", sessions, "--mode", "simulated", "-o", out, "--leave-out-damaged", "--csv", "-"});
+  EXPECT_EQ(exported.status, 0) << exported.err;
+  EXPECT_NE(exported.out.find("simulated,,sessions_done,2,sessions"), std::string::npos) << exported.out;
+  EXPECT_NE(exported.out.find("simulated,,sessions_left_out,1,sessions"), std::string::npos) << exported.out;
 }
 
 TEST(SessionCommand, EverySubcommandExplainsItselfWithAnExample) {
