@@ -26,25 +26,24 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
 
 constexpr const char* kRecordFile = "simulation.json";
 
+/// The options in words: "observer ideal, rate 0, seed 1, wrong near 0.1".
+std::string options_in(const ObserverOptions& observer) {
+  std::string text =
+      fmt::format("observer {}, rate {:g}, seed {}",
+                  observer_names()[static_cast<std::size_t>(observer.kind)], observer.rate, observer.seed);
+  for (const auto& entry : observer.wrong) text += fmt::format(", wrong {} {:g}", entry.first, entry.second);
+  return text;
+}
+
 /// What decides how simulated participants behave, as stored beside their sessions.
 nlohmann::ordered_json record_of(const ObserverOptions& observer) {
   return {{"format", "plenolab-simulation"},
           {"version", 1},
+          {"options", options_in(observer)},
           {"observer", observer_names()[static_cast<std::size_t>(observer.kind)]},
           {"rate", observer.rate},
           {"seed", observer.seed},
           {"wrong", nlohmann::ordered_json(observer.wrong)}};
-}
-
-/// The options in words: "observer ideal, rate 0, seed 1, wrong near 0.1".
-std::string options_in(const nlohmann::ordered_json& record) {
-  std::string text;
-  for (const char* key : {"observer", "rate", "seed"})
-    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key,
-                        record[key].is_string() ? record[key].get<std::string>() : record[key].dump());
-  for (const auto& entry : record["wrong"].items())
-    text += fmt::format(", wrong {} {}", entry.key(), entry.value().dump());
-  return text;
 }
 
 bool holds_only_a_torn_record(const fs::path& folder) {
@@ -65,11 +64,11 @@ void require_same_options(const fs::path& sessions, const ObserverOptions& obser
     throw InputError(fmt::format("{} is there and no simulation: give a new folder (-o)", sessions.string()));
   const auto before = nlohmann::ordered_json::parse(read_text_file(file, 16u << 20), nullptr, false);
   if (before == record) return;
-  bool readable = before.is_object() && before.contains("wrong") && before["wrong"].is_object();
-  for (const char* key : {"observer", "rate", "seed"}) readable = readable && before.contains(key);
-  if (!readable) throw InputError(fmt::format("{} is damaged: give a new folder (-o)", file.string()));
+  if (!before.is_object() || !before.contains("options") || !before["options"].is_string())
+    throw InputError(fmt::format("{} is damaged: give a new folder (-o)", file.string()));
   throw InputError(fmt::format("{} was simulated with {}, not with {}: give a new folder (-o)",
-                               sessions.string(), options_in(before), options_in(record)));
+                               sessions.string(), before["options"].get<std::string>(),
+                               options_in(observer)));
 }
 
 }  // namespace
@@ -86,9 +85,8 @@ std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::pa
     ObserverOptions observer = options.observer;
     observer.number = number;
     SimulatedStage stage(observer);
-    RunnerOptions runner{.images = study_folder(study_path),
-                         .note = options_in(record_of(observer)),
-                         .on_event = options.on_event};
+    RunnerOptions runner{
+        .images = study_folder(study_path), .note = options_in(observer), .on_event = options.on_event};
     run_session(store, stage, runner);
     const SessionSummary summary = summarise(store.identity(), study, store.events());
     records.insert(records.end(), summary.trials.begin(), summary.trials.end());

@@ -172,7 +172,7 @@ TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {
   };
   EXPECT_EQ(message(with(ObserverKind::kIdeal, 2, {{"one", 0.25}}), sessions), "");
   EXPECT_NE(message(with(ObserverKind::kIdeal, 1, {{"one", 0.5}}), sessions)
-                .find("was simulated with observer ideal, rate 0.0, seed 1, wrong one 0.25, not with"),
+                .find("was simulated with observer ideal, rate 0, seed 1, wrong one 0.25, not with"),
             std::string::npos);
   SimulationOptions seeded = with(ObserverKind::kIdeal, 1, {{"one", 0.25}});
   seeded.observer.seed = 2;
