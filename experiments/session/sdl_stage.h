@@ -16,10 +16,9 @@ namespace plenolab {
 
 /// The real stage: full-screen windows of SDL, pads, keyboard, tones. Needs an SdlLibrary.
 ///   - One window on one display at a time; after it is up, the display it is really on is compared with the
-///   one asked
-///     for, and a mismatch refused.
+///     one asked for, and a mismatch refused.
 ///   - Whether flips wait for the display is asked of the OpenGL driver (other renderers only pretend), and
-///   measured.
+///     measured.
 ///   - Inputs are polled every millisecond until shortly before the next flip.
 /// Text is DejaVu Sans, in the central region of the display.
 class SdlStage final : public Stage {
