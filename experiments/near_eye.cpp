@@ -136,10 +136,11 @@ DirectLightField directly_from(const LightField& field, float exposure) {
 
 DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling,
                           int threads) {
-  DisplayImage image = light_field;
-  for (int factor = supersampling; factor > 1; factor /= 2) {
-    image = halve_subimages(image, layout, threads);
+  if (supersampling <= 1) return light_field;
+  DisplayImage image = halve_subimages(light_field, layout, threads);
+  for (int factor = supersampling / 2; factor > 1; factor /= 2) {
     layout.size_px /= 2;
+    image = halve_subimages(image, layout, threads);
   }
   return image;
 }
