@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <glog/logging.h>
 #include <signal.h>
 
 #include <CLI/CLI.hpp>
@@ -61,6 +62,7 @@ int status_of(const std::function<void()>& action) {
 int main(int argc, char** argv) {
   plenolab::reserve_standard_streams();
   plenolab::clean_up_on_stop_signals();
-  ::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is then an error like a full disk
+  FLAGS_minloglevel = google::GLOG_ERROR;  // what Ceres remarks on a line search is no message to users
+  ::signal(SIGXFSZ, SIG_IGN);              // a limit on file sizes is then an error like a full disk
   return status_of([&] { plenolab::print_whole([&] { run(argc, argv); }); });
 }
