@@ -79,16 +79,15 @@ Verdict decide_lens(const CalibrationMeasurements& thesis, const CalibrationFit&
   std::array<double, kDeviationFactors.size()> p{};
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = p_with_any_lens(thesis, kDeviationFactors[i]);
   const auto [low, high] = std::minmax_element(p.begin(), p.end());
-  Verdict verdict = decide_claim({p[1], *low, *high}, Comparison::kAbove, kContradiction, "p_value", "1",
-                                 "our deviations halved and doubled");
-  verdict.explanation = fmt::format(
-      "With d_l and f free to be anything, so that no lens equation ties them to their nominal values, they "
-      "become {} mm and {} mm and agree with the angle and the focus, but not with the scaling of appendix "
-      "D, as long as lens pitch and panel are what they are said to be. The thesis states no deviations; "
-      "ours decide how strong the contradiction is.",
+  return undecidable(fmt::format(
+      "The printed figures cannot decide it: the thesis states no deviations, and a p-value is no "
+      "measurement with an interval. With d_l and f free to be anything, so that no lens equation ties them "
+      "to their nominal values, they become {} mm and {} mm; with the deviations we assume all figures then "
+      "have p = {}, between {} and {} with these halved and doubled, as long as lens pitch and panel are "
+      "what they are said to be.",
       format_number(any_lens.values[index_of(CalibrationParameter::kLensDistance)]),
-      format_number(any_lens.values[index_of(CalibrationParameter::kFocalLength)]));
-  return verdict;
+      format_number(any_lens.values[index_of(CalibrationParameter::kFocalLength)]), format_number(p[1], 2),
+      format_number(*low, 2), format_number(*high, 2)));
 }
 
 void add_doubts(ReproductionResult& result, const std::string& caption,
