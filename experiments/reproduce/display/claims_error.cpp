@@ -1,4 +1,4 @@
-// Claims H-2 to H-5: where reprojected light fields differ, and what is done about holes.
+// Claims H-3 to H-5: what is done about holes, and how far matches are off.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,96 +11,11 @@
 
 namespace plenolab {
 
-ReproductionResult reproduce_claim_h2(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h3(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h5(Laboratory& laboratory);
 
 namespace {
-
-/// Neighbouring pixels whose disparities differ by more, in px per camera, lie on either side of a depth
-/// edge.
-constexpr float kEdge_px = 0.1f;
-/// Borders between the bins of distance to the nearest depth edge, in pixels of the display's subimages.
-constexpr std::array<int, 4> kBins{1, 3, 7, 15};
-/// Up to this bin pixels are near an edge: three pixels, what halving and interpolation spread an edge over.
-constexpr std::size_t kNearBin = 1;
-
-/// Steps to the nearest depth edge or hole (negative in `taken_px`) for each pixel of a subimage of the
-/// display, which has `factor` rendered pixels across; large where there is none.
-Plane<int> distance_to_edge(const Plane<float>& disparity_px, const Plane<float>& taken_px, int size_px,
-                            int column, int row, int factor) {
-  const int n = size_px / factor;
-  const auto disparity = [&](int x, int y) {
-    return disparity_px.at(column * size_px + x, row * size_px + y);
-  };
-  Plane<int> steps(n, n, 1 << 20);
-  for (int y = 0; y < size_px; ++y)
-    for (int x = 0; x < size_px; ++x) {
-      const bool edge = taken_px.at(column * size_px + x, row * size_px + y) < 0 ||
-                        (x > 0 && std::abs(disparity(x, y) - disparity(x - 1, y)) > kEdge_px) ||
-                        (y > 0 && std::abs(disparity(x, y) - disparity(x, y - 1)) > kEdge_px);
-      if (edge) steps.at(std::min(x / factor, n - 1), std::min(y / factor, n - 1)) = 0;
-    }
-  const auto draw = [&](int x, int y, int from_x, int from_y) {
-    if (from_x >= 0 && from_y >= 0 && from_x < n && from_y < n)
-      steps.at(x, y) = std::min(steps.at(x, y), steps.at(from_x, from_y) + 1);
-  };
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x) draw(x, y, x - 1, y), draw(x, y, x, y - 1);
-  for (int y = n - 1; y >= 0; --y)
-    for (int x = n - 1; x >= 0; --x) draw(x, y, x + 1, y), draw(x, y, x, y + 1);
-  return steps;
-}
-
-/// Sum of differences and number of pixels by distance to the nearest edge.
-struct BinnedError {
-  std::array<double, kBins.size() + 1> error{}, pixels{};
-  double mean(std::size_t first, std::size_t last) const {
-    double e = 0, p = 0;
-    for (std::size_t i = first; i <= last; ++i) e += error[i], p += pixels[i];
-    return p > 0 ? e / p : 0;
-  }
-  double share_of_error(std::size_t last) const {
-    double part = 0, all = 0;
-    for (std::size_t i = 0; i < error.size(); ++i) all += error[i], part += i <= last ? error[i] : 0;
-    return all > 0 ? part / all : 0;
-  }
-  double share_of_pixels(std::size_t last) const {
-    double part = 0, all = 0;
-    for (std::size_t i = 0; i < pixels.size(); ++i) all += pixels[i], part += i <= last ? pixels[i] : 0;
-    return part / all;
-  }
-};
-
-BinnedError bin_errors(NearEyeBench& bench, const std::string& id) {
-  const int size_px = bench.array(id).layout.size_px;
-  const SubimageLayout small = bench.subimages(id);
-  const Plane<float> difference = absolute_difference(bench.truth(id), bench.image(id, {}));
-  const Plane<float>& disparity = bench.true_disparity_px(id);
-  const auto reprojected = bench.reprojected(id, {});
-  BinnedError binned;
-  for (int row = 0; row < small.rows; ++row)
-    for (int column = 0; column < small.columns; ++column) {
-      const Plane<int> steps =
-          distance_to_edge(disparity, reprojected->disparity_px, size_px, column, row, 2);
-      for (int y = 0; y < small.size_px; ++y)
-        for (int x = 0; x < small.size_px; ++x) {
-          const auto bin = static_cast<std::size_t>(
-              std::lower_bound(kBins.begin(), kBins.end(), steps.at(x, y)) - kBins.begin());
-          binned.error[bin] +=
-              static_cast<double>(difference.at(column * small.size_px + x, row * small.size_px + y));
-          ++binned.pixels[bin];
-        }
-    }
-  return binned;
-}
-
-std::string bin_name(std::size_t bin) {
-  if (bin == kBins.size()) return fmt::format("> {}", kBins.back());
-  return bin == 0 ? fmt::format("0 to {}", kBins[0])
-                  : fmt::format("{} to {}", kBins[bin - 1] + 1, kBins[bin]);
-}
 
 double hole_count(NearEyeBench& bench, const std::string& id, int cameras) {
   return static_cast<double>(bench.reprojected(id, {.cameras = cameras})->holes);
@@ -159,46 +74,6 @@ Displacement displacement_of(NearEyeBench& bench, const std::string& id, Reproje
 }
 
 }  // namespace
-
-ReproductionResult reproduce_claim_h2(Laboratory& laboratory) {
-  ReproductionResult result;
-  NearEyeBench& bench = laboratory.near_eye_bench();
-  std::vector<double> near_mean, far_mean;
-  double error_share = 0, pixel_share = 0;
-  Plot plot;
-  plot.x.title = "Distance to the nearest depth edge or hole, pixels";
-  plot.y = {.title = "Mean |VC − IC|", .unit = "1", .minimum = 0};
-  plot.key = KeyPosition::kOutside;
-  for (std::size_t b = 0; b <= kBins.size(); ++b) plot.categories.push_back(bin_name(b));
-  for (const std::string& id : bench.scene_ids()) {
-    const BinnedError binned = bin_errors(bench, id);
-    near_mean.push_back(binned.mean(0, kNearBin));
-    far_mean.push_back(binned.mean(kNearBin + 1, kBins.size()));
-    error_share += binned.share_of_error(kNearBin) / static_cast<double>(bench.scene_ids().size());
-    pixel_share += binned.share_of_pixels(kNearBin) / static_cast<double>(bench.scene_ids().size());
-    plot.series.push_back({.title = bench.scene(id).scene.scene().title});
-    for (std::size_t b = 0; b <= kBins.size(); ++b) {
-      plot.series.back().points.push_back({.y = binned.mean(b, b)});
-      result.rows.add(
-          {"mean_difference", binned.mean(b, b), "1", {{"scene", id}, {"edge_distance", bin_name(b)}}});
-    }
-  }
-  const Interval ratio = ratio_over_scenes(near_mean, far_mean, laboratory.options().seed);
-  Verdict verdict = decide_claim(ratio, Comparison::kAbove, 1, "edge_difference_ratio", "1", kOverScenes);
-  result.paper_shows = "Chapter 5: differences are largest around edges and where occlusion leaves no data.";
-  result.ours_shows = fmt::format(
-      "Up to {} pixels from a depth edge or a hole the mean difference is {} times that farther away; {} of "
-      "the pixels hold {} of the difference.",
-      kBins[kNearBin], interval_text(ratio), percent(pixel_share), percent(error_share));
-  result.differs = outcome_text(verdict.outcome);
-  result.add_plot(
-      "difference-by-edge-distance",
-      {plot, "Mean difference by distance to the nearest depth edge or hole", "Bars fall with distance"});
-  conclude_on_scenes(result, bench,
-                     {"H-2", thesis("chapter 5"), "Differences concentrate at edges and occlusions."},
-                     std::move(verdict), result.ours_shows);
-  return result;
-}
 
 ReproductionResult reproduce_claim_h3(Laboratory& laboratory) {
   ReproductionResult result;

@@ -39,6 +39,6 @@ struct NearEyeTimes {
 };
 NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
 
-inline constexpr const char* kOverScenes = "95 % bootstrap over the five scenes";
+inline constexpr const char* kOverScenes = "95 % Student interval over the five scenes";
 
 }  // namespace plenolab
