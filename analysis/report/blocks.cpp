@@ -15,6 +15,9 @@
 namespace plenolab::detail {
 namespace {
 
+/// Tables of more columns are set smaller and closer, so that they fit the page.
+constexpr std::size_t kColumnsAtEase = 7;
+
 /// Decimals that give the numbers of a column the same number of places, if all are of about the same size;
 /// otherwise each number gets its own significant digits.
 std::optional<int> common_decimals(const ReportTable& table, std::size_t column) {
@@ -133,7 +136,9 @@ std::string block_html(const Paragraph& paragraph) {
 
 std::string block_html(const ReportTable& table) {
   check_rows(table);
-  std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+  const bool wide = table.headings.size() > kColumnsAtEase;
+  std::string html = fmt::format("<div class=\"{}\"", wide ? "table wide" : "table") +
+                     " tabindex=\"0\" role=\"region\" aria-label=\"" +
                      escape_html(table.caption.empty() ? "Table" : table.caption) +
                      "\"><table class=\"sortable\">\n";
   if (!table.caption.empty()) html += "<caption>" + escape_html(table.caption) + "</caption>\n";

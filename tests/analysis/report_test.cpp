@@ -133,6 +133,14 @@ TEST(Report, NamesSectionAndBlockOfWhatItCannotShow) {
   EXPECT_THROW(report_html(report), InputError);
 }
 
+TEST(ReportTable, OfManyColumnsIsSetCloser) {
+  const auto html_of = [](std::size_t columns) {
+    return detail::block_html(ReportTable{"t", std::vector<std::string>(columns, "h"), {}});
+  };
+  EXPECT_EQ(html_of(7).find("table wide"), std::string::npos);
+  EXPECT_NE(html_of(8).find("class=\"table wide\""), std::string::npos);
+}
+
 TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
   Report report;
   report.sections = {{"S", {ReportTable{"t", {"a", "b"}, {{36.0, 1e-3}, {42.8512, 250.0}, {0.0, 1.0}}}}}};
