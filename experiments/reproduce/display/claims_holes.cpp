@@ -1,4 +1,4 @@
-// Claims H-3 to H-5: what is done about holes, and how far matches are off.
+// Claims H-3 and H-4: what is done about holes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -13,7 +13,6 @@ namespace plenolab {
 
 ReproductionResult reproduce_claim_h3(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h4(Laboratory& laboratory);
-ReproductionResult reproduce_claim_h5(Laboratory& laboratory);
 
 namespace {
 
@@ -42,35 +41,6 @@ HoleError error_in_holes(NearEyeBench& bench, const std::string& id, HoleFill fi
       ++error.pixels;
     }
   return error;
-}
-
-/// How far matches are off: by the rule itself, and by the true depth at the target pixel.
-struct Displacement {
-  double largest_offset = 0, largest_error = 0;
-  double pixels = 0, beyond_half = 0;
-};
-
-Displacement displacement_of(NearEyeBench& bench, const std::string& id, ReprojectionMethod method) {
-  const auto kept = bench.reprojected(id, {.method = method});
-  const ReprojectionResult& r = *kept;
-  const CameraArray array = bench.array(id);
-  const Plane<float>& truth = bench.true_disparity_px(id);
-  Displacement d;
-  for (int y = 0; y < truth.height(); ++y)
-    for (int x = 0; x < truth.width(); ++x) {
-      const float taken = r.disparity_px.at(x, y);
-      const int column = x / array.layout.size_px, row = y / array.layout.size_px;
-      // From the nearest corner: the least that a wrong disparity moves a pixel by.
-      const int cameras = std::max(std::min(column, array.layout.columns - 1 - column),
-                                   std::min(row, array.layout.rows - 1 - row));
-      if (taken < 0 || cameras == 0) continue;
-      const double error = cameras * static_cast<double>(std::abs(taken - truth.at(x, y)));
-      ++d.pixels;
-      d.beyond_half += error > 0.5;
-      d.largest_error = std::max(d.largest_error, error);
-      d.largest_offset = std::max(d.largest_offset, static_cast<double>(r.offset_px.at(x, y)));
-    }
-  return d;
 }
 
 }  // namespace
@@ -154,56 +124,6 @@ ReproductionResult reproduce_claim_h4(Laboratory& laboratory) {
                      {"H-4", thesis("section 3.2.2"),
                       "Filling holes with the mean of the corners looks better than repeating edges."},
                      std::move(verdict), result.ours_shows);
-  return result;
-}
-
-ReproductionResult reproduce_claim_h5(Laboratory& laboratory) {
-  ReproductionResult result;
-  NearEyeBench& bench = laboratory.near_eye_bench();
-  double offset = 0, error = 0, pixels = 0, beyond = 0;
-  ReportTable table{"Matches and the true depth at their pixels",
-                    {"scene", "method", "largest offset, px", "off by more than ½ px", "largest, px"},
-                    {},
-                    3};
-  for (const std::string& id : bench.scene_ids())
-    for (const auto method : {ReprojectionMethod::kTwoStep, ReprojectionMethod::kOneStep}) {
-      const Displacement d = displacement_of(bench, id, method);
-      offset = std::max(offset, d.largest_offset), error = std::max(error, d.largest_error);
-      pixels += d.pixels, beyond += d.beyond_half;
-      const Columns columns{{"scene", id}, {"method", name_of(method)}};
-      const double share = d.beyond_half / std::max(d.pixels, 1.0);
-      result.rows.add({"largest_offset", d.largest_offset, "px", columns});
-      result.rows.add({"share_displaced_beyond_half", share, "1", columns});
-      result.rows.add({"largest_displacement", d.largest_error, "px", columns});
-      table.rows.push_back({bench.scene(id).scene.scene().title, name_of(method), d.largest_offset,
-                            percent(share), d.largest_error});
-    }
-  const double share = beyond / std::max(pixels, 1.0);
-  Verdict rule = decide_claim({offset, offset, offset}, Comparison::kBelow, 0.5 + 1e-6, "largest_offset",
-                              "px", "all matches");
-  Verdict truth = decide_claim({error, error, error}, Comparison::kBelow, 0.5, "largest_displacement", "px",
-                               "all matches");
-  result.paper_shows =
-      "Section 3.2.1: a match is accepted if it lands within half a pixel, so no match is off by more.";
-  result.ours_shows = fmt::format(
-      "The largest offset of an accepted match is {:.4f} px. Against the true depth of the target pixel {} "
-      "of the matches are "
-      "displaced by more than half a pixel (up to {:.1f} px).",
-      offset, percent(share), error);
-  result.differs = error <= 0.5 ? "They agree in this run."
-                                : "The rule holds by construction for each step. What breaks it: background "
-                                  "that shows through where the "
-                                  "surface in front "
-                                  "was seen by no pixel that lands there, outlines, and in two steps a depth "
-                                  "taken half a pixel away.";
-  result.add_table(std::move(table));
-  conclude_on_scenes(result, bench,
-                     {"H-5a", thesis("section 3.2.1"), "Accepted matches land within half a pixel."},
-                     std::move(rule), result.ours_shows);
-  conclude_on_scenes(
-      result, bench,
-      {"H-5b", thesis("section 3.2.1"), "No reprojected pixel is off by more than half a pixel."},
-      std::move(truth), result.ours_shows);
   return result;
 }
 
