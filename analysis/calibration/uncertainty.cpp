@@ -108,10 +108,12 @@ std::vector<CalibrationEstimate> estimate_parameters(const CalibrationMeasuremen
   return estimates;
 }
 
-/// The size against which "determined" is judged: the number itself, for the vergence 1/f, for f − d_l f.
+/// The size against which "determined" is judged: the number itself; for a vergence a useful one, and for
+/// f − d_l what that comes to, d_l·f·V with f ≈ d_l.
 double size_of(const DerivedQuantity& quantity, double value, const DisplayGeometry<CalibrationJet>& g) {
-  if (std::string_view(quantity.unit) == "dpt") return kDioptresPerMm / g.focal_length().a;
-  if (std::string_view(quantity.name) == "focal_gap_mm") return g.focal_length().a;
+  if (std::string_view(quantity.unit) == "dpt") return kUsefulVergence_dpt;
+  if (std::string_view(quantity.name) == "focal_gap_mm")
+    return g.lens_distance.a * g.lens_distance.a * kUsefulVergence_dpt / kDioptresPerMm;
   return std::abs(value);
 }
 

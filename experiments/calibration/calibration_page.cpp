@@ -85,9 +85,10 @@ ReportSection result_section(const CalibrationMeasurements& measurements, const 
   ReportSection section{"What is determined", {}, {}};
   if (!measurements.comment.empty()) section.blocks.emplace_back(Paragraph{measurements.comment});
   section.blocks.emplace_back(Paragraph{paragraphs(calibration_sentences(fit))});
-  section.blocks.emplace_back(table_of(rows, estimate_design(),
-                                       "Parameters and what follows from them. What the readings do not "
-                                       "determine to within a quarter of its own size has no estimate."));
+  section.blocks.emplace_back(
+      table_of(rows, estimate_design(),
+               "Parameters and what follows from them. What the readings do not "
+               "determine to within a quarter of its own size (of 1 dpt for the vergence) has no estimate."));
   return section;
 }
 

@@ -204,12 +204,21 @@ WideDesign reading_design() {
 WideDesign doubt_design(const std::vector<DoubtedSource>& doubts) {
   WideDesign design{{"without"}, {{"chi2", "χ²"}, {"degrees_of_freedom", "dof"}, {"p_value", "p-value"}}};
   if (doubts.empty()) return design;
-  const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
-  for (const CalibrationEstimate& e : all.parameters)
-    if (e.sd.value_or(1) > 0) design.columns.push_back({e.name, heading_of(e)});
-  for (const CalibrationEstimate& e : all.derived)
-    if (e.name == "fov_deg" || e.name == "subimage_per_lens" || e.name == "vergence_dpt")
+  // Columns that are not empty: what is estimated in any of the fits.
+  const auto add = [&](auto estimates, std::size_t i) {
+    const auto is_estimated = [&](const DoubtedSource& doubt) {
+      return (doubt.fit.uncertainty.*estimates)[i].sd.value_or(0) > 0;
+    };
+    const CalibrationEstimate& e = (doubts.front().fit.uncertainty.*estimates)[i];
+    if (std::any_of(doubts.begin(), doubts.end(), is_estimated))
       design.columns.push_back({e.name, heading_of(e)});
+  };
+  const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
+  for (std::size_t i = 0; i < all.parameters.size(); ++i) add(&CalibrationUncertainty::parameters, i);
+  for (std::size_t i = 0; i < all.derived.size(); ++i)
+    if (const std::string& name = all.derived[i].name;
+        name == "fov_deg" || name == "subimage_per_lens" || name == "vergence_dpt")
+      add(&CalibrationUncertainty::derived, i);
   return design;
 }
 

@@ -149,6 +149,8 @@ TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
   EXPECT_NE(html.find(">42.85</td>"), std::string::npos);
   EXPECT_NE(html.find(">0.001</td>"), std::string::npos);
   EXPECT_NE(html.find(">250</td>"), std::string::npos);
+  EXPECT_NE(detail::block_html(ReportTable{"t", {"n"}, {{2.0}, {1.0}}}).find(">2</td>"), std::string::npos)
+      << "counts have no decimals";
 }
 
 TEST(DataUri, EncodesTheExamplesOfRfc4648) {
