@@ -166,6 +166,18 @@ TEST(CalibrationFitTest, ARotationThatIsKnownToTwoDegreesIsNotKnown) {
   EXPECT_FALSE(sd_of_rotation(54).has_value());
 }
 
+TEST(CalibrationFitTest, WhatTheDataSeeDoesNotDependOnTheLoss) {
+  const CalibrationMeasurements m = exact_measurements(full_rig());
+  const ParameterValues x = CalibrationCoordinates(m).nominal();
+  const CalibrationUncertainty plain = uncertainty_at(m, x), robust = uncertainty_at(m, x, {0.5, 0.3});
+  EXPECT_EQ(plain.rank, robust.rank);
+  EXPECT_EQ(plain.condition_number, robust.condition_number);
+  EXPECT_EQ(plain.singular_values, robust.singular_values);
+  // Of what readings alone determine the deviation is √(mean ψ²)/mean ψ′ times as large.
+  const auto sd = [](const CalibrationUncertainty& u, P p) { return *u.parameters[index_of(p)].sd; };
+  EXPECT_NEAR(sd(robust, P::kSharpness) / sd(plain, P::kSharpness), std::sqrt(0.3) / 0.5, 1e-9);
+}
+
 TEST(CalibrationFitTest, AParameterThatNoRecordSeesIsNamed) {
   CalibrationRig rig = grid_rig();
   rig.plan.parameters[index_of(P::kFocalLength)].role = ParameterSetting::Role::kFree;
