@@ -22,10 +22,6 @@ constexpr std::array kFills{FillName{HoleFill::kMean, "mean"}, FillName{HoleFill
                             FillName{HoleFill::kBackground, "background"},
                             FillName{HoleFill::kNearest, "nearest"}, FillName{HoleFill::kBlack, "black"}};
 
-int code_of(float value) {
-  return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
-}
-
 /// Statistics of a histogram of differences of 8-bit codes.
 ChannelDifference summarise(const std::array<std::int64_t, 256>& counts) {
   std::int64_t total = 0, sum = 0;
@@ -145,12 +141,16 @@ DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout
   return image;
 }
 
+int display_code(float value) {
+  return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
+}
+
 std::array<ChannelDifference, 3> difference_statistics(const DisplayImage& a, const DisplayImage& b) {
   if (a.width() != b.width() || a.height() != b.height() || a.empty())
     throw InputError("light-field images of different sizes cannot be compared");
   std::array<std::array<std::int64_t, 256>, 3> counts{};
   const auto add = [&](std::size_t channel, float u, float v) {
-    ++counts[channel][static_cast<std::size_t>(std::abs(code_of(u) - code_of(v)))];
+    ++counts[channel][static_cast<std::size_t>(std::abs(display_code(u) - display_code(v)))];
   };
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Rgb u = a.pixels()[i], v = b.pixels()[i];

@@ -13,6 +13,11 @@ std::string thesis(const std::string& where) {
   return "Hansen & Klein 2016, " + where;
 }
 
+Interval share_over_scenes(const std::vector<double>& shares, std::uint64_t seed) {
+  const Interval interval = mean_interval(shares, seed).value();
+  return {interval.estimate, std::max(0.0, interval.low), std::min(1.0, interval.high)};
+}
+
 Interval ratio_over_scenes(const std::vector<double>& numerators, const std::vector<double>& denominators,
                            std::uint64_t seed) {
   return bootstrap_units(
@@ -28,20 +33,36 @@ Interval ratio_over_scenes(const std::vector<double>& numerators, const std::vec
       seed);
 }
 
+namespace {
+
+/// |a − b| of each channel, in codes.
+std::array<int, 3> code_difference(const Rgb& a, const Rgb& b) {
+  const auto apart = [](float u, float v) { return std::abs(display_code(u) - display_code(v)); };
+  return {apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b)};
+}
+
+}  // namespace
+
 Plane<float> absolute_difference(const DisplayImage& a, const DisplayImage& b) {
   Plane<float> difference(a.width(), a.height());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Rgb d = a.pixels()[i] - b.pixels()[i];
-    difference.pixels()[i] = (std::abs(d.r) + std::abs(d.g) + std::abs(d.b)) / 3;
+    const auto codes = code_difference(a.pixels()[i], b.pixels()[i]);
+    difference.pixels()[i] = static_cast<float>(codes[0] + codes[1] + codes[2]) / (3 * 255);
   }
   return difference;
 }
 
 double mean_absolute(const DisplayImage& a, const DisplayImage& b) {
-  double sum = 0;
-  const Plane<float> difference = absolute_difference(a, b);
-  for (const float d : difference.pixels()) sum += static_cast<double>(d);
-  return sum / static_cast<double>(a.size());
+  return mean_difference(difference_statistics(a, b));
+}
+
+double share_beyond_codes(const DisplayImage& a, const DisplayImage& b, int codes) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto channels = code_difference(a.pixels()[i], b.pixels()[i]);
+    beyond += *std::max_element(channels.begin(), channels.end()) > codes;
+  }
+  return static_cast<double>(beyond) / static_cast<double>(a.size());
 }
 
 DisplayImage centre_enlarged(const DisplayImage& light_field, const SubimageLayout& layout, int factor) {
