@@ -153,7 +153,8 @@ ReproductionResult reproduce_claim_h2(Laboratory& laboratory) {
       errors, [](E e) { return e.near_at_first; }, [](E e) { return e.far_at_first; }, seed);
   const auto [least, most] = std::minmax_element(errors.begin(), errors.end(),
                                                  [](E a, E b) { return a.near_share() < b.near_share(); });
-  Verdict verdict = decide_claim(edges, Comparison::kAbove, 1, "edge_difference_ratio", "1", kOverScenes);
+  Verdict verdict =
+      decide_claim(edges, Comparison::kAbove, 1, "edge_difference_ratio", "1", kRatioOverScenes);
   result.rows.add({"hole_difference_ratio", holes.estimate, "1", {}});
   result.rows.add({"edge_difference_ratio_first_measure", first.estimate, "1", {}});
   result.paper_shows = "Chapter 5: differences are largest around edges and where occlusion leaves no data.";

@@ -159,8 +159,8 @@ ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
     }
   }
   const Interval ratio = ratio_over_scenes(highest, lowest, laboratory.options().seed);
-  Verdict verdict =
-      decide_claim(ratio, Comparison::kBelow, 1, "share_wrong_high_over_low_resolution", "1", kOverScenes);
+  Verdict verdict = decide_claim(ratio, Comparison::kBelow, 1, "share_wrong_high_over_low_resolution", "1",
+                                 kRatioOverScenes);
   result.paper_shows = "Higher resolution lowers the share of wrong pixels.";
   result.ours_shows = fmt::format(
       "With subimages of {} px {} times as large a share of the pixels is wrong (a channel off by more than "
@@ -210,9 +210,9 @@ ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
   // "Enough": within a hundredth of exact depth.
   constexpr double kEnough = 1.01;
   Verdict too_few =
-      decide_claim(eight, Comparison::kAbove, kEnough, "difference_8_bit_over_exact", "1", kOverScenes);
-  Verdict enough =
-      decide_claim(float_z, Comparison::kBelow, kEnough, "difference_float_over_exact", "1", kOverScenes);
+      decide_claim(eight, Comparison::kAbove, kEnough, "difference_8_bit_over_exact", "1", kRatioOverScenes);
+  Verdict enough = decide_claim(float_z, Comparison::kBelow, kEnough, "difference_float_over_exact", "1",
+                                kRatioOverScenes);
   result.paper_shows =
       "Depth in a texture of 8 bits a channel is not precise enough; a texture of 32-bit floats is.";
   result.ours_shows = fmt::format(
@@ -265,7 +265,7 @@ ReproductionResult reproduce_claim_h9(Laboratory& laboratory) {
   const Interval stray = ratio_over_scenes(stray_smooth, stray_sharp, seed),
                  error = ratio_over_scenes(error_smooth, error_sharp, seed);
   Verdict verdict = decide_claim(error, Comparison::kAbove, 1, "difference_anti_aliased_over_point_sampled",
-                                 "1", kOverScenes);
+                                 "1", kRatioOverScenes);
   result.paper_shows =
       "Section 3.2: anti-aliased corner views break the matching of depths, so smoothing comes after "
       "reprojection.";

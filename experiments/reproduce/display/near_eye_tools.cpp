@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/reproduce/claims/claim_statistics.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
@@ -20,17 +21,14 @@ Interval share_over_scenes(const std::vector<double>& shares, std::uint64_t seed
 
 Interval ratio_over_scenes(const std::vector<double>& numerators, const std::vector<double>& denominators,
                            std::uint64_t seed) {
-  return bootstrap_units(
-      numerators.size(),
-      [&](std::span<const double> drawn) {
-        double above = 0, below = 0;
-        for (const double i : drawn) {
-          above += numerators[static_cast<std::size_t>(i)];
-          below += denominators[static_cast<std::size_t>(i)];
-        }
-        return above / std::max(below, 1e-12);
-      },
-      seed);
+  constexpr double kZero = 1e-12;
+  std::vector<double> logs;
+  for (std::size_t i = 0; i < numerators.size(); ++i)
+    if (numerators[i] > 0 || denominators[i] > 0)
+      logs.push_back(std::log(std::max(numerators[i], kZero) / std::max(denominators[i], kZero)));
+  const auto interval = mean_interval(logs, seed);
+  if (!interval) return {logs.empty() ? 1 : std::exp(logs[0]), 0, std::numeric_limits<double>::infinity()};
+  return {std::exp(interval->estimate), std::exp(interval->low), std::exp(interval->high)};
 }
 
 namespace {

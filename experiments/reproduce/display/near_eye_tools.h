@@ -18,8 +18,11 @@ std::string thesis(const std::string& where);
 /// Mean of shares over scenes, its interval within [0, 1]; ≥ 2 scenes.
 Interval share_over_scenes(const std::vector<double>& shares, std::uint64_t seed);
 
-/// Sum of the numerators over that of the denominators, bootstrapped over scenes; equal lengths, ≥ 1. A
-/// denominator of 0 counts as the smallest that can be told from 0 (1e-12).
+/// Geometric mean over scenes of numerator over denominator, both ≥ 0 and of equal number, with Student's
+/// interval of the logarithms: every scene weighs the same, half and double are as far from 1, and no end is
+/// negative. (A ratio of sums would be that of the scene of extreme occlusion alone.) Scenes where both are 0
+/// say nothing and are left out; a single 0 counts as 1e-12. Fewer than two scenes have an interval without
+/// ends.
 Interval ratio_over_scenes(const std::vector<double>& numerators, const std::vector<double>& denominators,
                            std::uint64_t seed);
 
@@ -47,6 +50,10 @@ struct NearEyeTimes {
 };
 NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
 
-inline constexpr const char* kOverScenes = "95 % Student interval over the five scenes";
+/// What the intervals of ratio_over_scenes and share_over_scenes cover.
+inline constexpr const char* kRatioOverScenes =
+    "95 % Student interval of the logarithms over the five scenes";
+
+inline constexpr const char* kShareOverScenes = "95 % Student interval over the five scenes";
 
 }  // namespace plenolab

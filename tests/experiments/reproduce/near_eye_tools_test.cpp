@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace plenolab {
 namespace {
 
@@ -32,6 +34,29 @@ TEST(NearEyeTools, APixelDiffersIfOneOfItsChannelsDoes) {
   b.at(1, 0).g = a.at(1, 0).g + 6 / 255.0f;  // 2 codes as a mean of the channels
   EXPECT_EQ(share_beyond_codes(a, b, 5), 0.25);
   EXPECT_EQ(share_beyond_codes(a, b, 6), 0);
+}
+
+TEST(NearEyeTools, ARatioOverScenesIsTheGeometricMeanAndNeverNegative) {
+  const Interval ratio = ratio_over_scenes({1, 2, 100}, {2, 1, 1}, 1);
+  EXPECT_NEAR(ratio.estimate, std::cbrt(100), 1e-9);
+  EXPECT_GT(ratio.low, 0);
+  // Turned round it is the reciprocal, ends included.
+  const Interval turned = ratio_over_scenes({2, 1, 1}, {1, 2, 100}, 1);
+  EXPECT_NEAR(ratio.low * turned.high, 1, 1e-9);
+  EXPECT_NEAR(ratio.high * turned.low, 1, 1e-9);
+}
+
+TEST(NearEyeTools, AScaleOfOneSceneDoesNotMatter) {
+  const Interval a = ratio_over_scenes({1, 3, 2}, {2, 2, 2}, 1),
+                 b = ratio_over_scenes({1, 3, 2000}, {2, 2, 2000}, 1);
+  EXPECT_NEAR(a.estimate, b.estimate, 1e-12);
+  EXPECT_NEAR(a.high, b.high, 1e-12);
+}
+
+TEST(NearEyeTools, ScenesThatSayNothingAreLeftOutAndOneSceneDecidesNothing) {
+  EXPECT_NEAR(ratio_over_scenes({0, 3, 3}, {0, 1, 1}, 1).estimate, 3, 1e-12);
+  const Interval one = ratio_over_scenes({0, 3}, {0, 1}, 1);
+  EXPECT_EQ(decide(one, Comparison::kAbove, 1), Outcome::kUndecided);
 }
 
 TEST(NearEyeTools, AShareOverScenesStaysAShare) {
