@@ -75,10 +75,17 @@ void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim c
   conclude(result, std::move(claim), std::move(verdict));
 }
 
-NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+  std::vector<double> times;
+  for (const std::string& id : bench.scene_ids())
+    times.push_back(bench.timing(id, recipe).reprojected_total_s());
+  return times;
+}
+
+NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
   NearEyeTimes times;
-  for (const std::string& id : bench.scene_ids()) {
-    const NearEyeBench::Timing& t = bench.timing(id, recipe);
+  for (const std::string& id : bench.timed_scene_ids()) {
+    const NearEyeBench::Timing& t = bench.timing(id, recipe, true);
     times.direct.push_back(t.direct_total_s());
     times.reprojected.push_back(t.reprojected_total_s());
   }

@@ -44,11 +44,14 @@ DisplayImage centre_enlarged(const DisplayImage& light_field, const SubimageLayo
 void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim claim, Verdict verdict,
                         std::string explanation);
 
-/// Seconds of a light field of each scene, see NearEyeBench::timing.
+/// Seconds of a light field of each scene, see NearEyeBench::timing: with few cameras rendered in all scenes
+/// …
+std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
+/// … and side by side with every camera rendered in NearEyeBench::timed_scene_ids.
 struct NearEyeTimes {
   std::vector<double> direct, reprojected;
 };
-NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
+NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
 
 /// What the intervals of ratio_over_scenes and share_over_scenes cover.
 inline constexpr const char* kRatioOverScenes =
