@@ -23,7 +23,7 @@ namespace {
 constexpr double kPrintedDirect_s = 0.0184;
 
 constexpr const char* kTimedOverScenes =
-    "95 % Student interval of the logarithms over two scenes, of each the medians of three runs";
+    "95 % Student interval of the logarithms over three runs of each in turn in two scenes";
 
 /// What it costs to render and expose one pixel of one camera, ns, of a stimulus with some complexity.
 struct Complexity {
@@ -153,6 +153,7 @@ ReproductionResult reproduce_claim_h6(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
   const NearEyeTimes times = times_side_by_side(bench, {});
+  // Pairs of runs take the place of scenes here.
   const Interval ratio = ratio_over_scenes(times.reprojected, times.direct, laboratory.options().seed);
   const CostModel model = cost_model(bench);
   const std::vector<Complexity> measured = measure_complexities(bench);

@@ -92,7 +92,7 @@ const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Re
                                                  bool with_direct) {
   const RecipeKey key = key_of(id, recipe);
   if (const auto found = timings_.find(key);
-      found != timings_.end() && (found->second.direct_s || !with_direct))
+      found != timings_.end() && (!with_direct || !found->second.direct_runs_s.empty()))
     return found->second;
   const NearEyeScene& prepared = scene(id, recipe.supersampling);
   const CameraArray cameras_array = array(id, recipe.supersampling);
@@ -115,8 +115,11 @@ const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Re
     });
     if (with_direct && run > 0) timed(direct_s, [&] { return render_directly(prepared, threads()); });
   }
-  Timing timing{median(cameras_s), median(reprojection_s), median(down_sampling_s), std::nullopt};
-  if (with_direct) timing.direct_s = median(direct_s);
+  Timing timing{median(cameras_s), median(reprojection_s), median(down_sampling_s), {}, {}};
+  for (std::size_t run = 0; run < cameras_s.size(); ++run) {
+    timing.reprojected_runs_s.push_back(cameras_s[run] + reprojection_s[run] + down_sampling_s[run]);
+    if (with_direct) timing.direct_runs_s.push_back(direct_s[run] + down_sampling_s[run]);
+  }
   return timings_.insert_or_assign(key, timing).first->second;
 }
 

@@ -2,7 +2,6 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -32,9 +31,9 @@ class NearEyeBench {
   static constexpr int kTimedRuns = 3;
   struct Timing {
     double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0;
-    std::optional<double> direct_s;  ///< where it was asked for
     double reprojected_total_s() const { return cameras_s + reprojection_s + down_sampling_s; }
-    double direct_total_s() const { return direct_s.value() + down_sampling_s; }
+    /// Whole light fields of each run, and beside them those with every camera rendered where asked for.
+    std::vector<double> reprojected_runs_s, direct_runs_s;
   };
 
   const std::vector<std::string>& scene_ids() const;

@@ -86,8 +86,9 @@ NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe&
   NearEyeTimes times;
   for (const std::string& id : bench.timed_scene_ids()) {
     const NearEyeBench::Timing& t = bench.timing(id, recipe, true);
-    times.direct.push_back(t.direct_total_s());
-    times.reprojected.push_back(t.reprojected_total_s());
+    times.direct.insert(times.direct.end(), t.direct_runs_s.begin(), t.direct_runs_s.end());
+    times.reprojected.insert(times.reprojected.end(), t.reprojected_runs_s.begin(),
+                             t.reprojected_runs_s.end());
   }
   return times;
 }

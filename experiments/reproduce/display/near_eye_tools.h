@@ -47,7 +47,7 @@ void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim c
 /// Seconds of a light field of each scene, see NearEyeBench::timing: with few cameras rendered in all scenes
 /// …
 std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
-/// … and side by side with every camera rendered in NearEyeBench::timed_scene_ids.
+/// … and side by side with every camera rendered, run by run, in NearEyeBench::timed_scene_ids.
 struct NearEyeTimes {
   std::vector<double> direct, reprojected;
 };

@@ -53,8 +53,8 @@ ReproductionResult reproduce_performance_test(Laboratory& laboratory) {
   const NearEyeTimes super = times_side_by_side(bench, {}),
                      plain = times_side_by_side(bench, {.supersampling = 1});
   ReportTable table{
-      "Seconds a light field of one eye: printed means, and ours (median of two scenes, of each the "
-      "median of three runs, both methods in turn)",
+      "Seconds a light field of one eye: printed means, and ours (median of three runs of each "
+      "in turn, in two scenes)",
       {"method", "printed", "ours", "ours, frames a second"},
       {},
       3};
