@@ -161,8 +161,7 @@ ReproductionResult reproduce_claim_h2(Laboratory& laboratory) {
   result.ours_shows = fmt::format(
       "Holes left out, up to {} pixel from a depth edge ({} to {} of the pixels of a scene) the mean "
       "difference is {} times that farther away. In holes it is {} times that elsewhere. The claim is "
-      "decided "
-      "by edges alone.",
+      "decided by edges alone.",
       kBins[0], percent(least->near_share()), percent(most->near_share()), interval_text(edges),
       interval_text(holes));
   const std::string changed = fmt::format(

@@ -98,8 +98,8 @@ ReportPlot displacement_plot(const ByMethod& all) {
 std::string causes_text(const MatchResiduals& r) {
   if (r.beyond_half == 0) return "none is displaced";
   return fmt::format(
-      "{} are outlines off by one pixel, in {} something behind the true surface was taken, in {} "
-      "something in front of it",
+      "{} are outlines off by one pixel, in {} something behind the true surface was taken, in {} something "
+      "in front of it",
       percent(r.outline / r.beyond_half), percent(r.background / r.beyond_half),
       percent(r.foreground / r.beyond_half));
 }
@@ -109,8 +109,7 @@ std::string differs_text(const ByMethod& all, int worse_in_one_step, std::size_t
   return fmt::format(
       "The rule looks at where a pixel lands by its own depth, and holds by construction in each step; it "
       "cannot see that another surface should be there. Of the displaced matches in two steps {}; in one "
-      "step "
-      "{}. One step has more of them than two in {} of {} scenes.",
+      "step {}. One step has more of them than two in {} of {} scenes.",
       causes_text(all[0]), causes_text(all[1]), worse_in_one_step, scenes);
 }
 
@@ -131,18 +130,17 @@ ReproductionResult reproduce_claim_h5(Laboratory& laboratory) {
       "Section 3.2.1: a match is accepted if it lands within half a pixel, so no match is off by more.";
   result.ours_shows = fmt::format(
       "The largest offset of an accepted match is {:.4f} px. Against the true depth of the target pixel {} "
-      "of "
-      "the matches in two steps and {} in one are displaced by more than half a pixel (up to {:.1f} px).",
+      "of the matches in two steps and {} in one are displaced by more than half a pixel (up to {:.1f} px).",
       offset, percent(share_beyond(all[0])), percent(share_beyond(all[1])), displacement);
   result.differs = differs_text(all, worse_in_one_step, bench.scene_ids().size());
   result.add_plot("offsets", offset_plot(all));
   if (ReportPlot plot = displacement_plot(all); !plot.plot.series.empty())
     result.add_plot("displacements", std::move(plot));
-  conclude_on_scenes(
-      result, bench, {"H-5a", thesis("section 3.2.1"), "Accepted matches land within half a pixel."},
-      std::move(rule),
-      "It holds by construction: the search accepts nothing else. What is measured is that the "
-      "search does what the rule says.");
+  conclude_on_scenes(result, bench,
+                     {"H-5a", thesis("section 3.2.1"), "Accepted matches land within half a pixel."},
+                     std::move(rule),
+                     "It holds by construction: the search accepts nothing else. What is measured is that "
+                     "the search does what the rule says.");
   conclude_on_scenes(
       result, bench,
       {"H-5b", thesis("section 3.2.1"), "No reprojected pixel is off by more than half a pixel."},

@@ -77,8 +77,7 @@ ReproductionResult reproduce_claim_h3(Laboratory& laboratory) {
       "Section 3.2.2: a fifth camera in the centre would eliminate many cases of missing information.";
   result.ours_shows = fmt::format(
       "With the fifth camera {} of the holes of a scene are left ({} of those of all scenes together), and "
-      "the "
-      "mean difference is {} of that with four.",
+      "the mean difference is {} of that with four.",
       interval_text(ratio), percent(mean(five) / std::max(mean(four), 1.0)), interval_text(error));
   result.differs = outcome_text(verdict.outcome) + " 'Many' is read as more than half.";
   result.add_table(std::move(table));
@@ -119,8 +118,7 @@ ReproductionResult reproduce_claim_h4(Laboratory& laboratory) {
       "pixels.";
   result.ours_shows = fmt::format(
       "Within holes the difference of the mean fill is {} times that of the edge fill and {} times that of "
-      "the "
-      "fill from the farther side.",
+      "the fill from the farther side.",
       interval_text(ratio), interval_text(background));
   result.differs =
       outcome_text(verdict.outcome) +

@@ -54,6 +54,47 @@ double error_with_coding(NearEyeBench& bench, const std::string& id, const Depth
   return mean_absolute(bench.truth(id), to_subimages(r.light_field, array.layout, 2, bench.threads()));
 }
 
+/// Mean |VC − IC| of each scene by coding, and with exact depth.
+struct CodingErrors {
+  std::array<std::vector<double>, kDepthCodings.size()> coded;
+  std::vector<double> exact;
+};
+
+CodingErrors coding_errors(NearEyeBench& bench) {
+  CodingErrors errors;
+  for (const std::string& id : bench.scene_ids()) {
+    errors.exact.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));
+    for (std::size_t c = 0; c < kDepthCodings.size(); ++c)
+      errors.coded[c].push_back(error_with_coding(bench, id, kDepthCodings[c]));
+  }
+  return errors;
+}
+
+ResultTable coding_rows(NearEyeBench& bench, const CodingErrors& errors) {
+  ResultTable rows;
+  for (std::size_t s = 0; s < bench.scene_ids().size(); ++s)
+    for (std::size_t c = 0; c < kDepthCodings.size(); ++c)
+      rows.add({"mean_difference",
+                errors.coded[c][s],
+                "1",
+                {{"scene", bench.scene_ids()[s]}, {"coding", std::string(kDepthCodings[c].name)}}});
+  return rows;
+}
+
+ReportPlot coding_plot(NearEyeBench& bench, const CodingErrors& errors) {
+  Plot plot;
+  plot.x.title = "Coding of depth";
+  plot.y = {.title = "Mean |VC − IC|", .unit = "1", .minimum = 0};
+  plot.key = KeyPosition::kOutside;
+  for (const DepthCoding& c : kDepthCodings) plot.categories.emplace_back(c.name);
+  for (std::size_t s = 0; s < bench.scene_ids().size(); ++s) {
+    plot.series.push_back({.title = bench.scene(bench.scene_ids()[s]).scene.scene().title});
+    for (const std::vector<double>& of_coding : errors.coded)
+      plot.series.back().points.push_back({.y = of_coding[s]});
+  }
+  return {plot, "Mean difference by coding of depth", "Bars for each coding and scene"};
+}
+
 // ---- H-9: anti-aliased input ----
 
 /// What corner cameras of two resolutions give: mean |VC − IC| and the share of stray depths.
@@ -85,6 +126,39 @@ std::array<InputQuality, kInputs.size()> input_qualities(NearEyeBench& bench, co
   return {quality_of(bench, id, *bench.reprojected(id, {})), with(false), with(true)};
 }
 
+/// By input, one number for each scene.
+struct InputsOverScenes {
+  std::array<std::vector<double>, kInputs.size()> errors, strays;
+};
+
+/// Files the rows and the table as well.
+InputsOverScenes measure_inputs(NearEyeBench& bench, ReproductionResult& result) {
+  InputsOverScenes measured;
+  ReportTable table{
+      "Corner cameras point-sampled and averaged: mean |VC − IC|, and the share of matches with a depth that "
+      "nothing around has",
+      {"scene", "point-sampled", "colour averaged", "colour and depth averaged",
+       "stray depths, point-sampled", "colour averaged", "colour and depth averaged"},
+      {},
+      3};
+  for (const std::string& id : bench.scene_ids()) {
+    const auto qualities = input_qualities(bench, id);
+    std::vector<Cell> row{bench.scene(id).scene.scene().title};
+    for (std::size_t i = 0; i < kInputs.size(); ++i) {
+      const Columns columns{{"scene", id}, {"input", std::string(kInputs[i])}};
+      result.rows.add({"mean_difference", qualities[i].error, "1", columns});
+      result.rows.add({"stray_depth_share", qualities[i].stray, "1", columns});
+      measured.errors[i].push_back(qualities[i].error);
+      measured.strays[i].push_back(qualities[i].stray);
+      row.emplace_back(qualities[i].error);
+    }
+    for (const InputQuality& q : qualities) row.emplace_back(percent(q.stray));
+    table.rows.push_back(std::move(row));
+  }
+  result.add_table(std::move(table));
+  return measured;
+}
+
 }  // namespace
 
 ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
@@ -114,14 +188,12 @@ ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
   result.paper_shows = "Higher resolution lowers the share of wrong pixels.";
   result.ours_shows = fmt::format(
       "With subimages of {} px {} times as large a share of the pixels is wrong (a channel off by more than "
-      "five codes) as "
-      "with {} px.",
+      "five codes) as with {} px.",
       sizes.back(), interval_text(ratio), sizes.front());
   result.differs =
       outcome_text(verdict.outcome) +
-      " Measured with 5 × 3 cameras over the same area, without supersampling. What no camera sees "
-      "stays the same share at any resolution: the scene of extreme occlusion gains least where that "
-      "outweighs edges.";
+      " Measured with 5 × 3 cameras over the same area, without supersampling. What no camera sees stays the "
+      "same share at any resolution: the scene of extreme occlusion gains least where that outweighs edges.";
   result.add_plot("wrong-pixels", {plot, "Share of wrong pixels over the size of a subimage",
                                    "A falling line for each scene"});
   conclude_on_scenes(
@@ -134,29 +206,12 @@ ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
 ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
-  std::array<std::vector<double>, kDepthCodings.size()> errors;
-  std::vector<double> exact;
-  Plot plot;
-  plot.x.title = "Coding of depth";
-  plot.y = {.title = "Mean |VC − IC|", .unit = "1", .minimum = 0};
-  plot.key = KeyPosition::kOutside;
-  for (const DepthCoding& c : kDepthCodings) plot.categories.emplace_back(c.name);
-  for (const std::string& id : bench.scene_ids()) {
-    exact.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));
-    plot.series.push_back({.title = bench.scene(id).scene.scene().title});
-    for (std::size_t c = 0; c < kDepthCodings.size(); ++c) {
-      errors[c].push_back(error_with_coding(bench, id, kDepthCodings[c]));
-      plot.series.back().points.push_back({.y = errors[c].back()});
-      result.rows.add({"mean_difference",
-                       errors[c].back(),
-                       "1",
-                       {{"scene", id}, {"coding", std::string(kDepthCodings[c].name)}}});
-    }
-  }
+  const CodingErrors errors = coding_errors(bench);
+  result.rows.append(coding_rows(bench, errors));
   const std::uint64_t seed = laboratory.options().seed;
-  const Interval linear = ratio_over_scenes(errors[0], exact, seed),
-                 z_buffer = ratio_over_scenes(errors[1], exact, seed),
-                 float_z = ratio_over_scenes(errors.back(), exact, seed);
+  const Interval linear = ratio_over_scenes(errors.coded[0], errors.exact, seed),
+                 z_buffer = ratio_over_scenes(errors.coded[1], errors.exact, seed),
+                 float_z = ratio_over_scenes(errors.coded.back(), errors.exact, seed);
   // "Enough": within a hundredth of exact depth.
   constexpr double kEnough = 1.01;
   Verdict linear_short = decide_claim(linear, Comparison::kAbove, kEnough,
@@ -173,14 +228,12 @@ ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
       interval_text(linear), kCodedNear_m, kCodedFar_m, interval_text(z_buffer), interval_text(float_z));
   result.differs = fmt::format(
       "Eight bits not enough: linear {}, z-buffer {}. Floats enough: {}. The paper does not say how its 8 "
-      "bits "
-      "were coded, and the clipping planes are our choice; z-buffers spend their steps near, where disparity "
-      "needs them: {}.",
+      "bits were coded, and the clipping planes are our choice; z-buffers spend their steps near, where "
+      "disparity needs them: {}.",
       outcome_name(linear_short.outcome), outcome_name(z_buffer_short.outcome), outcome_name(enough.outcome),
       z_buffer.estimate < linear.estimate ? "at 8 bits they lose less than linear depth"
                                           : "at 8 bits that does not help here");
-  result.add_plot("depth-coding",
-                  {plot, "Mean difference by coding of depth", "Bars for each coding and scene"});
+  result.add_plot("depth-coding", coding_plot(bench, errors));
   conclude_on_scenes(result, bench,
                      {"H-8a-linear", thesis("section 3.2.1"), "Linear depth of 8 bits is not enough."},
                      std::move(linear_short), result.ours_shows);
@@ -195,28 +248,8 @@ ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
 ReproductionResult reproduce_claim_h9(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
-  std::array<std::vector<double>, kInputs.size()> errors, strays;
-  ReportTable table{
-      "Corner cameras point-sampled and averaged: mean |VC − IC|, and the share of matches with a "
-      "depth that nothing around has",
-      {"scene", "point-sampled", "colour averaged", "colour and depth averaged",
-       "stray depths, point-sampled", "colour averaged", "colour and depth averaged"},
-      {},
-      3};
-  for (const std::string& id : bench.scene_ids()) {
-    const auto qualities = input_qualities(bench, id);
-    std::vector<Cell> row{bench.scene(id).scene.scene().title};
-    for (std::size_t i = 0; i < kInputs.size(); ++i) {
-      const Columns columns{{"scene", id}, {"input", std::string(kInputs[i])}};
-      result.rows.add({"mean_difference", qualities[i].error, "1", columns});
-      result.rows.add({"stray_depth_share", qualities[i].stray, "1", columns});
-      errors[i].push_back(qualities[i].error);
-      strays[i].push_back(qualities[i].stray);
-      row.emplace_back(qualities[i].error);
-    }
-    for (const InputQuality& q : qualities) row.emplace_back(percent(q.stray));
-    table.rows.push_back(std::move(row));
-  }
+  const InputsOverScenes measured = measure_inputs(bench, result);
+  const auto& [errors, strays] = measured;
   const std::uint64_t seed = laboratory.options().seed;
   const Interval depth = ratio_over_scenes(errors[2], errors[1], seed),
                  colour = ratio_over_scenes(errors[1], errors[0], seed);
@@ -229,15 +262,13 @@ ReproductionResult reproduce_claim_h9(Laboratory& laboratory) {
   result.ours_shows = fmt::format(
       "With depth averaged over 2 × 2 samples besides colour the mean difference is {} times that with "
       "colour averaged alone; averaging colour alone makes it {} times that of point samples. On average "
-      "over the "
-      "scenes {} of the matches have a depth that nothing around has, {} without averaged depth.",
+      "over the scenes {} of the matches have a depth that nothing around has, {} without averaged depth.",
       interval_text(depth), interval_text(colour), percent(mean(strays[2])), percent(mean(strays[1])));
-  result.differs = outcome_text(verdict.outcome) +
-                   " Decided by averaged depth against point-sampled depth with the same averaged colour, so "
-                   "that blur, which both have, does not count (the measure was changed after a first look, "
-                   "at which colour and depth were averaged at once). Averaged depths lie between two "
-                   "surfaces, where nothing is.";
-  result.add_table(std::move(table));
+  result.differs =
+      outcome_text(verdict.outcome) +
+      " Decided by averaged depth against point-sampled depth with the same averaged colour, so that blur, "
+      "which both have, does not count (the measure was changed after a first look, at which colour and "
+      "depth were averaged at once). Averaged depths lie between two surfaces, where nothing is.";
   conclude_on_scenes(result, bench,
                      {"H-9", thesis("section 3.2"),
                       "Averaged depth of anti-aliased corner cameras makes reprojection worse."},

@@ -53,8 +53,8 @@ ReproductionResult reproduce_performance_test(Laboratory& laboratory) {
   const NearEyeTimes super = times_side_by_side(bench, {}),
                      plain = times_side_by_side(bench, {.supersampling = 1});
   ReportTable table{
-      "Seconds a light field of one eye: printed means, and ours (median of three runs of each "
-      "in turn, in two scenes)",
+      "Seconds a light field of one eye: printed means, and ours (median of three runs of each in turn, in "
+      "two scenes)",
       {"method", "printed", "ours", "ours, frames a second"},
       {},
       3};
@@ -73,19 +73,18 @@ ReproductionResult reproduce_performance_test(Laboratory& laboratory) {
   const double speed_up = median(super.direct) / median(super.reprojected);
   result.paper_shows =
       "Section 5.1: 0.187 s a frame with reprojection and supersampling, 0.179 s without, 0.0184 s with all "
-      "120 "
-      "cameras rendered (laptop GPU of 2011): reprojection loses by a factor of ten.";
+      "120 cameras rendered (laptop GPU of 2011): reprojection loses by a factor of ten.";
   result.ours_shows = fmt::format(
       "On this machine's CPU, supersampled: {} reprojected, cameras and down-sampling included, against {} "
-      "rendered, {:.1f} times as "
-      "long. Without supersampling {} against {}. Reprojection alone takes {} ({:.0f} light fields a "
-      "second).",
+      "rendered, {:.1f} times as long. Without supersampling {} against {}. Reprojection alone takes {} "
+      "({:.0f} light fields a second).",
       seconds_text(super.reprojected), seconds_text(super.direct), speed_up, seconds_text(plain.reprojected),
       seconds_text(plain.direct), seconds_text(reprojection), 1 / median(reprojection));
-  result.differs = speed_up > 1 ? "They differ in who wins: here a ray tracer renders, whose pixels cost "
-                                  "more than a rasteriser's, and "
-                                  "pixels are sent to where they land instead of searched for along lines."
-                                : "They agree: reprojection loses.";
+  result.differs =
+      speed_up > 1
+          ? "They differ in who wins: here a ray tracer renders, whose pixels cost more than a rasteriser's, "
+            "and pixels are sent to where they land instead of searched for along lines."
+          : "They agree: reprojection loses.";
   result.add_table(std::move(table));
   result.key_figures.push_back(
       {"Reprojecting a light field for the near-eye display", format_number(1000 * median(reprojection), 3),
@@ -134,9 +133,7 @@ ReproductionResult reproduce_claim_h11(Laboratory& laboratory) {
       "and saves a pass.";
   result.ours_shows = fmt::format(
       "A share of {} of the pixels has a channel that differs by more than one code; one step has {} times "
-      "the difference from the "
-      "truth of "
-      "two, and takes {} times as long.",
+      "the difference from the truth of two, and takes {} times as long.",
       interval_text(same), interval_text(error), interval_text(time));
   result.differs = outcome_text(equal.outcome) +
                    (faster.outcome == Outcome::kRefuted
@@ -173,8 +170,7 @@ ReproductionResult reproduce_claim_h12(Laboratory& laboratory) {
                   interval_text(ratio), seconds_text(super), seconds_text(plain));
   result.differs = outcome_text(verdict.outcome) +
                    " Supersampling means four times the pixels; where time follows pixels, it costs time. "
-                   "Equal times mean that "
-                   "something else than pixels took it.";
+                   "Equal times mean that something else than pixels took it.";
   result.rows.add({"time_supersampled_over_plain", ratio.estimate, "1", {}});
   conclude_on_scenes(result, bench, {"H-12", thesis("section 5.1"), "Supersampling hardly costs time."},
                      std::move(verdict), result.ours_shows);
