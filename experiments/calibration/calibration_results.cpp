@@ -101,6 +101,13 @@ double without_rounding(const CalibrationEstimate& e) {
   return std::abs(e.value) < 1e-9 * *e.sd ? 0 : e.value;
 }
 
+/// Of the display and the height of the camera, which contradictions are about.
+bool is_length(CalibrationParameter parameter) {
+  using P = CalibrationParameter;
+  return parameter == P::kPixelPitch || parameter == P::kLensPitch || parameter == P::kLensDistance ||
+         parameter == P::kFocalLength || parameter == P::kPupilOffset;
+}
+
 /// "d_l [mm]".
 std::string heading_of(const CalibrationEstimate& e) {
   return e.unit == "1" ? e.symbol : fmt::format("{} [{}]", e.symbol, e.unit);
@@ -204,7 +211,8 @@ WideDesign reading_design() {
 WideDesign doubt_design(const std::vector<DoubtedSource>& doubts) {
   WideDesign design{{"without"}, {{"chi2", "χ²"}, {"degrees_of_freedom", "dof"}, {"p_value", "p-value"}}};
   if (doubts.empty()) return design;
-  // Columns that are not empty: what is estimated in any of the fits.
+  // Columns that are not empty: what is estimated in any of the fits. Of the parameters the lengths, and what
+  // was fixed before it was doubted.
   const auto add = [&](auto estimates, std::size_t i) {
     const auto is_estimated = [&](const DoubtedSource& doubt) {
       return (doubt.fit.uncertainty.*estimates)[i].sd.value_or(0) > 0;
@@ -214,7 +222,9 @@ WideDesign doubt_design(const std::vector<DoubtedSource>& doubts) {
       design.columns.push_back({e.name, heading_of(e)});
   };
   const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
-  for (std::size_t i = 0; i < all.parameters.size(); ++i) add(&CalibrationUncertainty::parameters, i);
+  for (std::size_t i = 0; i < all.parameters.size(); ++i)
+    if (is_length(static_cast<CalibrationParameter>(i)) || all.parameters[i].sd == 0.0)
+      add(&CalibrationUncertainty::parameters, i);
   for (std::size_t i = 0; i < all.derived.size(); ++i)
     if (const std::string& name = all.derived[i].name;
         name == "fov_deg" || name == "subimage_per_lens" || name == "vergence_dpt")
@@ -289,11 +299,10 @@ std::vector<std::string> doubt_sentences(const std::vector<DoubtedSource>& doubt
     }
     const LeftOutReading& left_out = doubt.left_out.front();
     sentences.push_back(fmt::format(
-        "Without the source “{}” {}, and {} {} would be {} instead of {}.", doubt.source,
+        "Without the source “{}” {}, and {} would be {} instead of {}.", doubt.source,
         doubt.fit.p_value ? fmt::format("the rest agrees (p = {})", format_number(*doubt.fit.p_value, 2))
                           : "nothing is left to test",
-        left_out.deviations == 0 ? "the value of" : "the reading", left_out.what,
-        format_number(left_out.predicted), format_number(left_out.measured)));
+        left_out.what, format_number(left_out.predicted), format_number(left_out.measured)));
   }
   if (sentences.empty() && !doubts.empty() && contradicts(doubts.front().fit))
     sentences.push_back(no_single_source(doubts, pairs));

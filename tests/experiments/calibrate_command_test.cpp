@@ -59,6 +59,14 @@ TEST(CalibrateCommand, SaysThatTheFiguresOfTheThesisCannotBeReconciledAndTested)
   EXPECT_NE(result.out.find("records[0] (field-of-view) lies far off"), std::string::npos) << result.out;
 }
 
+TEST(CalibrateCommand, SuspectsAFixedValue) {
+  const ProgramResult result =
+      run_program({"calibrate", example("display.json").string(), "--fix", "d_l_mm"});
+  EXPECT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("Without the source “fixed value of d_l” the rest agrees"), std::string::npos)
+      << result.out;
+}
+
 TEST(CalibrateCommand, WritesAReportThatItsOwnRunMayReplace) {
   const TemporaryFolder folder;
   const fs::path out = folder.path() / "calibration";
