@@ -9,6 +9,7 @@ namespace plenolab {
 /// Participants differ: some see a difference that others do not, and trials of one participant are alike.
 /// Each participant's rate is drawn from a Beta distribution with mean `rate`; `overdispersion` ρ in [0, 1)
 /// is the correlation of two trials of one participant: 0 = all alike (binomial), 1 = each always or never.
+/// All trials must be of one image: over images with different rates see participant_effect.h.
 
 struct BetaBinomialFit {
   Interval rate;            ///< maximum likelihood and profile-likelihood interval

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "core/base/error.h"
@@ -46,13 +45,6 @@ std::vector<double> benjamini_hochberg(std::span<const double> p_values) {
     adjusted[order[rank]] = smallest;
   }
   return adjusted;
-}
-
-double any_of(int tests, double probability) {
-  if (tests < 0 || !(probability >= 0 && probability <= 1))
-    throw InputError(
-        fmt::format("{} tests that err with probability {} are not possible", tests, probability));
-  return probability == 1 && tests > 0 ? 1 : -std::expm1(tests * std::log1p(-probability));
 }
 
 }  // namespace plenolab

@@ -12,7 +12,4 @@ std::vector<double> holm(std::span<const double> p_values);
 /// Benjamini & Hochberg 1995: of those below q, a share of q at most is expected to be false.
 std::vector<double> benjamini_hochberg(std::span<const double> p_values);
 
-/// Probability that at least one of `tests` independent tests errs if each does with `probability`.
-double any_of(int tests, double probability);
-
 }  // namespace plenolab

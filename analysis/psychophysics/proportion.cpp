@@ -38,10 +38,6 @@ Beta posterior(Proportion count, BetaPrior prior) {
   return {hits + prior.a, misses + prior.b};
 }
 
-double log_beta(double a, double b) {
-  return std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b);
-}
-
 }  // namespace
 
 void Proportion::validate() const {
@@ -91,20 +87,6 @@ Interval rate_interval(Proportion count, IntervalMethod method, double confidenc
 
 double posterior_above(Proportion count, double p, BetaPrior prior) {
   return cdf(complement(posterior(count, prior), p));
-}
-
-Interval credible_interval(Proportion count, double confidence, BetaPrior prior) {
-  const double tail = tail_of(confidence);
-  const Beta beta = posterior(count, prior);
-  return {boost::math::mean(beta), quantile(beta, tail), quantile(complement(beta, tail))};
-}
-
-double bayes_factor_for(Proportion count, double p, BetaPrior prior) {
-  if (!(p > 0 && p < 1)) throw InputError(fmt::format("the probability is {} but must lie in (0, 1)", p));
-  const Beta beta = posterior(count, prior);
-  const auto [hits, misses] = counts_of(count);
-  const double log_fixed = hits * std::log(p) + misses * std::log1p(-p);
-  return std::exp(log_fixed - log_beta(beta.alpha(), beta.beta()) + log_beta(prior.a, prior.b));
 }
 
 }  // namespace plenolab

@@ -34,10 +34,5 @@ struct BetaPrior {
 
 /// Probability, given the count, that the rate is above `p`.
 double posterior_above(Proportion count, double p, BetaPrior prior = {});
-/// Equal-tailed credible interval; the estimate is the posterior mean.
-Interval credible_interval(Proportion count, double confidence = 0.95, BetaPrior prior = {});
-/// How many times more probable the count is if the rate is exactly `p` than if it is drawn from the prior:
-/// above 1 speaks for `p`. p in (0, 1).
-double bayes_factor_for(Proportion count, double p, BetaPrior prior = {});
 
 }  // namespace plenolab

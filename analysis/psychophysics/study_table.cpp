@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <set>
 
@@ -36,15 +38,20 @@ StudyRow analyse_count(const StudyCount& count, const StudyOptions& options) {
 }
 
 void adjust_p_values(Study& study) {
-  std::vector<double> p_values;
+  std::vector<double> p_values, equivalence_p_values;
   double log_none = 0;
   for (const StudyRow& row : study.rows) {
     p_values.push_back(row.p_value);
+    equivalence_p_values.push_back(row.equivalence_p);
     log_none += std::log1p(-upper_tail(row.critical, row.count.chose_test.trials, study.options.p_null));
   }
   const std::vector<double> by_holm = holm(p_values), by_bh = benjamini_hochberg(p_values);
-  for (std::size_t i = 0; i < study.rows.size(); ++i)
-    study.rows[i].p_holm = by_holm[i], study.rows[i].p_bh = by_bh[i];
+  const std::vector<double> equivalence_by_holm = holm(equivalence_p_values);
+  for (std::size_t i = 0; i < study.rows.size(); ++i) {
+    study.rows[i].p_holm = by_holm[i];
+    study.rows[i].p_bh = by_bh[i];
+    study.rows[i].equivalence_p_holm = equivalence_by_holm[i];
+  }
   study.any_false_pass = -std::expm1(log_none);
 }
 
@@ -58,7 +65,8 @@ std::vector<StudyTrial> those(const std::vector<StudyTrial>& trials, const Keep&
 
 ObserverSummary summarise(const std::string& display, const std::vector<StudyTrial>& trials,
                           double confidence) {
-  return {display, position_bias(trials, confidence), lapse_rate(trials, confidence)};
+  return {display, position_bias(trials, confidence), lapse_rate(trials, confidence),
+          participant_effect(trials, {.confidence = confidence})};
 }
 
 void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
@@ -70,6 +78,37 @@ void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
           trial.display, those(trials, [&](const StudyTrial& t) { return t.display == trial.display; }),
           confidence));
   study.observers.push_back(summarise("", trials, confidence));
+}
+
+RepeatedTrials repeated_trials(const std::vector<StudyTrial>& of_image, const StudyOptions& options) {
+  std::map<std::string, Proportion> counts;
+  for (const StudyTrial& trial : of_image) {
+    Proportion& count = counts[trial.participant];
+    ++count.trials;
+    count.hits += trial.chose_test ? 1 : 0;
+  }
+  std::vector<Proportion> participants;
+  for (const auto& entry : counts) participants.push_back(entry.second);
+  return {fit_beta_binomial(participants, options.confidence),
+          beta_binomial_posterior_above(participants, options.p_null)};
+}
+
+/// Why trials on a display with these lapses do not show that images look the same; empty if they may.
+std::string doubt_of_attention(const std::optional<LapseEstimate>& lapse, double most_lapses) {
+  if (!lapse) return "there were no catch trials, so nobody is known to have looked";
+  if (lapse->lapse.high <= most_lapses) return "";
+  return fmt::format(
+      "{} of {} catch trials were wrong, so participants may have guessed in up to {:.3g} % of trials, more "
+      "than {:.3g} %",
+      lapse->wrong.count.hits, lapse->wrong.count.trials, 100 * lapse->lapse.high, 100 * most_lapses);
+}
+
+std::string doubt(const StudyRow& row, const Study& study) {
+  if (row.repeated()) return "participants have several trials of the image, which are not independent";
+  const auto observer =
+      std::find_if(study.observers.begin(), study.observers.end(),
+                   [&](const ObserverSummary& o) { return o.display == row.count.display; });
+  return doubt_of_attention(observer->lapse, study.options.most_lapses);
 }
 
 void add_interval(ResultTable& table, const std::string& quantity, const Interval& interval,
@@ -89,6 +128,15 @@ void add_sensitivity(ResultTable& table, const StudyRow& row, const StudyOptions
     add_interval(table, "dprime", dprime_interval({trials - hits, trials}, model, true, options.confidence),
                  columns);
   }
+}
+
+void add_repeats(ResultTable& table, const RepeatedTrials& repeats, const Columns& columns) {
+  if (!repeats.fit.identified) return;
+  add_interval(table, "overdispersion", repeats.fit.overdispersion, columns);
+  table.add({"overdispersion_p", repeats.fit.p_overdispersed, "1", columns});
+  table.add({"design_effect", repeats.fit.design_effect, "1", columns});
+  add_interval(table, "mean_rate", repeats.fit.rate, columns);
+  table.add({"mean_rate_above_null", repeats.rate_above_null, "1", columns});
 }
 
 void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& options) {
@@ -115,7 +163,9 @@ void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& option
     table.add({"power", row.power[i], "1", with_rate});
   }
   add("equivalence_p", row.equivalence_p);
+  add("equivalence_p_holm", row.equivalence_p_holm);
   add("equivalent", row.equivalent() ? 1 : 0);
+  add("indistinguishable", row.indistinguishable(options.equivalence) ? 1 : 0);
   if (!row.equivalence.empty()) {
     add("equivalence_low_count", static_cast<double>(row.equivalence.low));
     add("equivalence_high_count", static_cast<double>(row.equivalence.high));
@@ -124,6 +174,7 @@ void add_row(ResultTable& table, const StudyRow& row, const StudyOptions& option
     add("choice_left_rate", row.bias->left.interval.estimate);
     add("choice_left_p", row.bias->p_value);
   }
+  if (row.repeats) add_repeats(table, *row.repeats, columns);
 }
 
 void add_observer_rows(ResultTable& table, const ObserverSummary& observer) {
@@ -137,6 +188,10 @@ void add_observer_rows(ResultTable& table, const ObserverSummary& observer) {
     add_interval(table, "catch_wrong_rate", observer.lapse->wrong.interval, columns);
     add_interval(table, "lapse_rate", observer.lapse->lapse, columns);
   }
+  if (observer.participants) {
+    add_interval(table, "participant_correlation", observer.participants->correlation, columns);
+    table.add({"participant_effect_p", observer.participants->p_value, "1", columns});
+  }
 }
 
 }  // namespace
@@ -148,6 +203,8 @@ void StudyOptions::validate() const {
   if (!(alpha > 0 && alpha < 1)) throw InputError(fmt::format("alpha is {} but must lie in (0, 1)", alpha));
   if (!(confidence > 0 && confidence < 1))
     throw InputError(fmt::format("confidence is {} but must lie in (0, 1)", confidence));
+  if (!(most_lapses >= 0 && most_lapses <= 1))
+    throw InputError(fmt::format("the largest share of lapses is {} but must lie in [0, 1]", most_lapses));
   for (const double p : alternatives)
     if (!(p >= 0 && p <= 1)) throw InputError(fmt::format("the true rate {} must lie in [0, 1]", p));
 }
@@ -163,14 +220,15 @@ Study analyse_counts(const std::vector<StudyCount>& counts, const StudyOptions& 
 
 Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& options) {
   Study study = analyse_counts(count_choices(trials), options);
-  for (StudyRow& row : study.rows)
-    row.bias = position_bias(those(trials,
-                                   [&](const StudyTrial& t) {
-                                     return !t.is_catch && t.display == row.count.display &&
-                                            t.image == row.count.image;
-                                   }),
-                             options.confidence);
+  for (StudyRow& row : study.rows) {
+    const auto of_image = those(trials, [&](const StudyTrial& t) {
+      return !t.is_catch && t.display == row.count.display && t.image == row.count.image;
+    });
+    row.bias = position_bias(of_image, options.confidence);
+    if (row.repeated()) row.repeats = repeated_trials(of_image, options);
+  }
   add_observers(study, trials);
+  for (StudyRow& row : study.rows) row.withheld = doubt(row, study);
   return study;
 }
 
@@ -183,9 +241,16 @@ std::string equivalence_text(const StudyRow& row, const EquivalenceOptions& opti
   if (row.equivalence.empty())
     return fmt::format("no count of {} trials could show that the rate lies within {}",
                        row.count.chose_test.trials, margin);
+  const std::string p_values = fmt::format("TOST p = {}, Holm {}", format_number(row.equivalence_p, 3),
+                                           format_number(row.equivalence_p_holm, 3));
+  if (row.indistinguishable(options))
+    return fmt::format("indistinguishable within {} ({}){}", margin, p_values,
+                       row.count.participants == 0 ? " if observers looked, which counts do not tell" : "");
+  if (row.equivalence_p_holm < options.alpha)
+    return fmt::format("the rate lies within {} ({}), but {}", margin, p_values, row.withheld);
   if (row.equivalent())
-    return fmt::format("indistinguishable within {} (TOST p = {})", margin,
-                       format_number(row.equivalence_p, 3));
+    return fmt::format("that the rate lies within {} is not shown after Holm's correction ({})", margin,
+                       p_values);
   return fmt::format("that the rate lies within {} is not shown (it takes {} to {})", margin,
                      row.equivalence.low, row.equivalence.high);
 }

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "analysis/plot.h"
+#include "analysis/psychophysics/beta_binomial.h"
 #include "analysis/psychophysics/equivalence.h"
 #include "analysis/psychophysics/observer.h"
+#include "analysis/psychophysics/participant_effect.h"
 #include "analysis/psychophysics/study_data.h"
 #include "analysis/result_table.h"
 
@@ -23,9 +25,19 @@ struct StudyOptions {
   EquivalenceOptions equivalence;
   /// True rates at which the power is stated; each in [0, 1].
   std::vector<double> alternatives{0.25, 0.5};
+  /// Largest upper end of the lapse interval with which answers may be called indistinguishable, in [0, 1].
+  /// Who guesses brings a rate nearer to 0.5: with a share λ of lapses, answers within 0.5 ± margin come from
+  /// rates within 0.5 ± margin / (1 − λ), at 0.2 a margin wider by a quarter.
+  double most_lapses = 0.2;
 
   /// Throws InputError naming the value out of range.
   void validate() const;
+};
+
+/// How far participants differ in their trials of one image.
+struct RepeatedTrials {
+  BetaBinomialFit fit;
+  double rate_above_null = 0;  ///< posterior probability that the mean rate is above p_null
 };
 
 struct StudyRow {
@@ -39,13 +51,23 @@ struct StudyRow {
   double posterior_above_null = 0;   ///< P(rate > p_null | count), uniform prior
   std::vector<double> power;         ///< at the alternatives
   double equivalence_p = 1;          ///< of the exact TOST
+  double equivalence_p_holm = 1;     ///< adjusted over all rows of the study
   EquivalenceRegion equivalence;     ///< counts that show equivalence at this number of trials
   std::optional<PositionBias> bias;  ///< of the row's trials; absent for counts
+  std::optional<RepeatedTrials> repeats;  ///< where repeated()
+  /// Why "indistinguishable" is withheld whatever the test of equivalence says, as a clause; empty if nothing
+  /// speaks against it. Counts alone tell nothing of lapses: for them it is empty.
+  std::string withheld;
 
   /// Whether participants have several of the trials: these are not independent, and tests and intervals,
   /// which take them for it, are too sure.
   bool repeated() const { return count.participants > 0 && count.participants < count.chose_test.trials; }
+  /// Whether the test of equivalence succeeds for this row by itself.
   bool equivalent() const { return equivalence.contains(count.chose_test.hits); }
+  /// Whether it does so after Holm's correction, and observers are known to have looked.
+  bool indistinguishable(const EquivalenceOptions& options) const {
+    return equivalence_p_holm < options.alpha && withheld.empty();
+  }
 };
 
 /// Behaviour on one display, or on all (display empty).
@@ -53,6 +75,7 @@ struct ObserverSummary {
   std::string display;
   std::optional<PositionBias> bias;
   std::optional<LapseEstimate> lapse;
+  std::optional<ParticipantEffect> participants;  ///< given the rates of images; absent if it cannot be told
 };
 
 struct Study {
@@ -68,7 +91,8 @@ Study analyse_counts(const std::vector<StudyCount>& counts, const StudyOptions& 
 /// The same from trials; position bias and lapses come with it.
 Study analyse_trials(const std::vector<StudyTrial>& trials, const StudyOptions& options = {});
 
-/// What the row says, in one sentence. "Indistinguishable" appears only where the equivalence test succeeded.
+/// What the row says, in one sentence. "Indistinguishable" appears only where indistinguishable() holds;
+/// where the test of equivalence succeeded and the word is withheld, the sentence says why.
 std::string verdict_text(const StudyRow& row, const StudyOptions& options);
 /// Its two halves: what passing or failing says, and what is known about equivalence.
 std::string pass_text(const StudyRow& row, const StudyOptions& options);
@@ -78,11 +102,13 @@ std::string verdict_word(const StudyRow& row);
 
 /// Long-form rows with the columns display and image: trials, chose_test, chose_test_rate and its _low and
 /// _high, dprime (column model, with _low and _high), critical_number, passed (1 or 0), p_value, log10_p,
-/// p_holm, p_benjamini_hochberg, posterior_above_null, power (column true_rate), equivalence_p, equivalent,
-/// equivalence_low_count and _high_count (absent where no count can), choice_left_rate, choice_left_p; with
-/// the column display alone (all displays: "all"): observer_left_rate, observer_left_p, catch_trials,
-/// catch_wrong_rate, lapse_rate, each with _low and _high; any_false_pass for the study. Column
-/// printed_verdict where there is one.
+/// p_holm, p_benjamini_hochberg, posterior_above_null, power (column true_rate), equivalence_p and its _holm,
+/// equivalent (1 or 0, the row by itself), indistinguishable (1 or 0), equivalence_low_count and _high_count
+/// (absent where no count can), choice_left_rate, choice_left_p; where participants repeat an image and the
+/// data can tell, overdispersion and mean_rate (with _low and _high), overdispersion_p, design_effect and
+/// mean_rate_above_null. With the column display alone (all displays: "all"): observer_left_rate,
+/// observer_left_p, catch_trials, catch_wrong_rate, lapse_rate and participant_correlation, rates with _low
+/// and _high, participant_effect_p. any_false_pass for the study. Column printed_verdict where there is one.
 ResultTable study_table(const Study& study);
 
 /// Share of choices of the test image by image, a bar for each display with its exact interval, and the line

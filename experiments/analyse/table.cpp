@@ -2,10 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <map>
 #include <memory>
+#include <set>
 
-#include "analysis/psychophysics/beta_binomial.h"
 #include "analysis/psychophysics/study_table.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -21,7 +20,7 @@ struct TableOptions {
   CommonOptions common;
   TestOptions test;
   std::string file, mode = "real", interval = "clopper-pearson", plot;
-  double confidence = 0.95;
+  double confidence = 0.95, most_lapses = StudyOptions{}.most_lapses;
 };
 
 TrialMode mode_of(const std::string& word) {
@@ -35,6 +34,7 @@ StudyOptions study_options(const TableOptions& options) {
   study.p_null = options.test.rate;
   study.alpha = options.test.alpha;
   study.confidence = options.confidence;
+  study.most_lapses = options.most_lapses;
   study.interval = options.interval == "wilson"     ? IntervalMethod::kWilson
                    : options.interval == "jeffreys" ? IntervalMethod::kJeffreys
                                                     : IntervalMethod::kClopperPearson;
@@ -42,42 +42,6 @@ StudyOptions study_options(const TableOptions& options) {
   study.equivalence.alpha = options.test.alpha;
   study.alternatives = parse_numbers(options.test.true_rates, "--true-rate", 0, 1);
   return study;
-}
-
-/// What the participants did over all images of a display, one count each.
-std::map<std::string, std::vector<Proportion>> by_participant(const std::vector<StudyTrial>& trials) {
-  std::map<std::string, std::map<std::string, Proportion>> counts;
-  for (const StudyTrial& trial : trials) {
-    if (trial.is_catch) continue;
-    Proportion& count = counts[trial.display][trial.participant];
-    ++count.trials;
-    count.hits += trial.chose_test ? 1 : 0;
-  }
-  std::map<std::string, std::vector<Proportion>> result;
-  for (const auto& display : counts)
-    for (const auto& participant : display.second) result[display.first].push_back(participant.second);
-  return result;
-}
-
-void add_participants(ResultTable& table, const std::vector<StudyTrial>& trials,
-                      const StudyOptions& options) {
-  for (const auto& display : by_participant(trials)) {
-    const BetaBinomialFit fit = fit_beta_binomial(display.second, options.confidence);
-    if (!fit.identified) continue;
-    const std::vector<std::pair<std::string, Cell>> columns{{"display", display.first}};
-    const auto add = [&](const std::string& quantity, double value) {
-      table.add({quantity, value, "1", columns});
-    };
-    add("overdispersion", fit.overdispersion.estimate);
-    add("overdispersion_low", fit.overdispersion.low);
-    add("overdispersion_high", fit.overdispersion.high);
-    add("overdispersion_p", fit.p_overdispersed);
-    add("design_effect", fit.design_effect);
-    add("mean_rate", fit.rate.estimate);
-    add("mean_rate_low", fit.rate.low);
-    add("mean_rate_high", fit.rate.high);
-    add("mean_rate_above_null", beta_binomial_posterior_above(display.second, options.p_null));
-  }
 }
 
 std::vector<WideColumn> columns_for_people(const Study& study) {
@@ -90,7 +54,8 @@ std::vector<WideColumn> columns_for_people(const Study& study) {
                                   {"p_value", "p"},
                                   {"p_holm", "Holm"},
                                   {"p_benjamini_hochberg", "BH"},
-                                  {"equivalence_p", "TOST p"}};
+                                  {"equivalence_p", "TOST p"},
+                                  {"equivalence_p_holm", "TOST Holm"}};
   if (!study.observers.empty()) columns.push_back({"choice_left_rate", "chose left"});
   return columns;
 }
@@ -102,7 +67,7 @@ std::string printed(const StudyRow& row) {
   return fmt::format(" Printed: {}{}", word, agrees ? "." : ", which the count contradicts.");
 }
 
-std::string observer_text(const ObserverSummary& observer) {
+std::string observer_text(const ObserverSummary& observer, double alpha) {
   std::string text = observer.display.empty() ? "All displays:" : observer.display + ":";
   if (observer.bias)
     text += fmt::format(
@@ -118,7 +83,24 @@ std::string observer_text(const ObserverSummary& observer) {
                     100 * observer.lapse->lapse.high);
   else
     text += "; there were no catch trials, so lapses are not known";
-  return text + ".";
+  text += ".";
+  if (observer.lapse && observer.lapse->wrong.count.hits > 0 && observer.bias &&
+      observer.bias->p_value < alpha)
+    text +=
+        " Who prefers a side errs in catch trials too: some of what counts as lapses may be that preference.";
+  return text;
+}
+
+std::string repeats_text(const StudyRow& row) {
+  const BetaBinomialFit& fit = row.repeats->fit;
+  const std::string image = row.count.display + " " + row.count.image;
+  if (!fit.identified) return image + ": all answers were the same, so how alike they are is not known.";
+  const auto trials = static_cast<double>(row.count.chose_test.trials);
+  return fmt::format(
+      "{}: trials of one participant correlate with ρ = {:.3f} ({:.3f} … {:.3f}); the {} trials count like "
+      "{:.0f} independent ones.",
+      image, fit.overdispersion.estimate, fit.overdispersion.low, fit.overdispersion.high,
+      row.count.chose_test.trials, trials / fit.design_effect);
 }
 
 void warn_of_repeated_trials(const Study& study) {
@@ -126,14 +108,31 @@ void warn_of_repeated_trials(const Study& study) {
     return;
   fmt::print(
       "Careful: some participants have several trials of one image. They are not independent, so tests and "
-      "intervals are too sure; the overdispersion says by how much.\n");
+      "intervals of that image are too sure:\n");
+  for (const StudyRow& row : study.rows)
+    if (row.repeats) fmt::print("{}\n", repeats_text(row));
 }
 
+std::string participants_text(const ObserverSummary& observer, double alpha) {
+  const ParticipantEffect& effect = *observer.participants;
+  return fmt::format(
+      "{} participants {} (given the rate of each image, two trials of one participant correlate with "
+      "{:.3f}, "
+      "{:.3f} … {:.3f}; p = {} for none).",
+      observer.display.empty() ? "All displays:" : observer.display + ":",
+      effect.p_value < alpha ? "differ" : "are not shown to differ", effect.correlation.estimate,
+      effect.correlation.low, effect.correlation.high, format_number(effect.p_value, 3));
+}
+
+/// Once for each number of trials: power depends on nothing else of a row.
 void print_power(const Study& study) {
-  const StudyRow& row = study.rows.front();
-  for (std::size_t i = 0; i < row.power.size(); ++i)
-    fmt::print("Power: an image whose true rate is {:g} passes with probability {:.3f}.\n",
-               study.options.alternatives[i], row.power[i]);
+  std::set<std::int64_t> said;
+  for (const StudyRow& row : study.rows) {
+    if (!said.insert(row.count.chose_test.trials).second) continue;
+    for (std::size_t i = 0; i < row.power.size(); ++i)
+      fmt::print("Power of {} trials: an image whose true rate is {:g} passes with probability {:.3f}.\n",
+                 row.count.chose_test.trials, study.options.alternatives[i], row.power[i]);
+  }
 }
 
 /// Whether the same is to be said about the equivalence of all rows.
@@ -162,11 +161,10 @@ void print_for_people(const Study& study, const ResultTable& table) {
   fmt::print(
       "If every true rate were {:g}, at least one of the {} rows would pass with probability {:.3f}.\n",
       study.options.p_null, study.rows.size(), study.any_false_pass);
-  for (const ObserverSummary& observer : study.observers) fmt::print("{}\n", observer_text(observer));
-  for (const ResultRow& row : table.rows())
-    if (row.quantity == "overdispersion")
-      fmt::print("{}: trials of one participant, over all images, correlate with ρ = {:.3f}.\n",
-                 std::get<std::string>(row.columns.front().second), row.value);
+  for (const ObserverSummary& observer : study.observers)
+    fmt::print("{}\n", observer_text(observer, study.options.alpha));
+  for (const ObserverSummary& observer : study.observers)
+    if (observer.participants) fmt::print("{}\n", participants_text(observer, study.options.alpha));
 }
 
 void run_table(const Invocation& invocation, const TableOptions& options, bool mode_given) {
@@ -181,12 +179,10 @@ void run_table(const Invocation& invocation, const TableOptions& options, bool m
   if (holds_trials(csv)) {
     const auto trials = trials_of_mode(parse_study_trials(csv), mode_of(options.mode));
     study = analyse_trials(trials, study_with);
-    table = study_table(study);
-    add_participants(table, trials, study_with);
   } else {
     study = analyse_counts(parse_study_counts(csv), study_with);
-    table = study_table(study);
   }
+  table = study_table(study);
   if (!output_is_for_programs(options.common)) print_for_people(study, table);
   write_results(table, provenance, options.common);
   if (!options.plot.empty()) write_plot_as(options.plot, study_plot(study), options.common);
@@ -210,6 +206,10 @@ void add_analyse_table(CLI::App& app, const Invocation& invocation) {
   app.add_option("--interval", options->interval, "Of the rates: clopper-pearson (exact), wilson or jeffreys")
       ->capture_default_str()
       ->check(one_of({"clopper-pearson", "wilson", "jeffreys"}));
+  app.add_option("--most-lapses", options->most_lapses,
+                 "Largest upper end of the share of lapses with which images may be called indistinguishable")
+      ->capture_default_str()
+      ->check(number_between(0, 1));
   add_plot_option(app, options->plot);
   add_common_options(app, options->common);
   app.footer("Example: plenolab analyse table counts.csv --plot results/choices");

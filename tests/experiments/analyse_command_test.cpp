@@ -1,9 +1,11 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "analysis/psychophysics/planning.h"
 #include "tests/experiments/plane_field.h"
 
 namespace plenolab {
@@ -68,6 +70,46 @@ TEST_F(Analyse, TableOfCountsSaysWhatPassingMeansAndDrawsIt) {
   EXPECT_TRUE(fs::exists(folder_.path() / "choices.svg"));
 }
 
+TEST_F(Analyse, FewerCorrectAnswersThanGuessingGivesAreNamedAsSuch) {
+  const ProgramResult below = run_program({"analyse", "dprime", "--correct", "10,34"});
+  EXPECT_NE(below.out.find("10 of 34 correct are fewer than guessing gives"), std::string::npos) << below.out;
+  const ProgramResult above = run_program({"analyse", "dprime", "--correct", "17,34"});
+  EXPECT_EQ(above.out.find("Careful"), std::string::npos) << above.out;
+}
+
+TEST_F(Analyse, APreferredSideIsNotTakenForLapsesWithoutSayingSo) {
+  const std::string header =
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n";
+  // Either everybody takes the left image always (the test image lies left in every second trial), or one
+  // catch trial of two is wrong, as often on either side.
+  const auto table_where = [&](bool left_always) {
+    std::string text = header;
+    for (int p = 0; p < 20; ++p)
+      for (int t = 1; t <= 4; ++t)
+        text += fmt::format("p{},real,b,1,m,o,{},{},{},{},{},2,1,1,1,0\n", p, t, t <= 2 ? "easy" : "image 1",
+                            t <= 2 ? 1 : 0, t % 2, left_always ? t % 2 : (t == 1 + p % 2 ? 1 : 0));
+    return run_program({"analyse", "table", written("trials.csv", text)}).out;
+  };
+  EXPECT_NE(table_where(true).find("Who prefers a side errs in catch trials too"), std::string::npos)
+      << table_where(true);
+  EXPECT_EQ(table_where(false).find("Who prefers a side"), std::string::npos) << table_where(false);
+}
+
+TEST_F(Analyse, PowerIsToldForEachNumberOfTrials) {
+  const fs::path counts = written("counts.csv", "display,image,n,k\nm,1,34,12\nm,2,100,40\nm,3,34,6\n");
+  const ProgramResult result = run_program({"analyse", "table", counts, "--true-rate", "0.35"});
+  const auto told = [&](int trials, double power) {
+    return result.out.find(
+        fmt::format("Power of {} trials: an image whose true rate is 0.35 passes with probability {:.3f}.",
+                    trials, power));
+  };
+  const std::size_t first = told(34, test_power(34, 0.19, 0.35));
+  ASSERT_NE(first, std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("Power of 34", first + 1), std::string::npos);
+  EXPECT_NE(told(100, test_power(100, 0.19, 0.35)), std::string::npos) << result.out;
+}
+
 TEST_F(Analyse, TrialsOfOtherModesDoNotCountUnlessAskedFor) {
   const fs::path trials = written(
       "trials.csv",
@@ -80,6 +122,23 @@ TEST_F(Analyse, TrialsOfOtherModesDoNotCountUnlessAskedFor) {
   EXPECT_EQ(run_for({"analyse", "table", trials}, "observer_left_rate"), 1);
   expect_one_clear_sentence(run_program({"analyse", "table", trials, "--mode", "pilot"}),
                             "no trial is of mode 'pilot'");
+}
+
+TEST_F(Analyse, TrialsTellWhetherParticipantsDifferGivenTheImages) {
+  std::string text =
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n";
+  for (int p = 0; p < 40; ++p)
+    for (int i = 0; i < 4; ++i)  // odd participants see nothing in images 1 and 3, even ones see all
+      text += fmt::format("P{},real,b1,1,monitor,ab,{},{},0,{},{},2.5,1,1,1,0\n", p, i + 1, i, p / 2 % 2,
+                          p % 2 * (i % 2));
+  const fs::path trials = written("trials.csv", text);
+  EXPECT_LT(run_for({"analyse", "table", trials}, "participant_effect_p"), 0.01);
+  EXPECT_EQ(run_for({"analyse", "table", trials}, "participant_correlation"), 1);
+  EXPECT_TRUE(std::isnan(run_for({"analyse", "table", trials}, "overdispersion")));
+  const ProgramResult result = run_program({"analyse", "table", trials});
+  EXPECT_NE(result.out.find("monitor: participants differ"), std::string::npos) << result.out;
+  EXPECT_EQ(result.out.find("several trials of one image"), std::string::npos);
 }
 
 TEST_F(Analyse, FitsLevelsAndSaysWhenTheyDetermineNothing) {

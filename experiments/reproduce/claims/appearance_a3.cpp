@@ -58,7 +58,7 @@ ReportPlot spacing_plot(const std::vector<SpacingResult>& materials) {
   }
   return {plot,
           "Error against spacing at the same scene and image size, path tracing noise taken out. Bars: 95 % "
-          "bootstrap over image tiles",
+          "intervals over image tiles",
           fmt::format("Error of {} floors against the spacing of the key views", materials.size())};
 }
 
@@ -86,7 +86,7 @@ LedgerEntry spacing_entry(const SpacingResult& least) {
                     {}};
   entry.verdict =
       decide_claim(least.gain, Comparison::kBelow, kNoGain, "rms_error_ratio_quarter_to_full_spacing", "1",
-                   "95 % bootstrap over image tiles of 2 views");
+                   "95 % interval over image tiles of 2 views, a row of tiles together");
   entry.verdict.scenes = {"floor probe, mirror", "floor probe, metal α = 0.05"};
   entry.verdict.explanation = fmt::format(
       "Error at {:g} m spacing over error at {:g} m, for the surface of two where it falls least ({}). "

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -36,12 +38,16 @@ Interval jackknife_interval(std::span<const double> values,
       if (i / length != block) rest.push_back(values[i]);
     without.push_back(statistic(rest));
   }
+  const double estimate = statistic(values);
+  // A ratio may lose its whole denominator with one block: then these values bound nothing.
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (!std::ranges::all_of(without, [](double value) { return std::isfinite(value); }))
+    return {estimate, -kInfinity, kInfinity};
   const double centre = mean(without);
   double squares = 0;
   for (const double value : without) squares += (value - centre) * (value - centre);
   const auto n = static_cast<double>(blocks);
   const double half = student_95(blocks - 1) * std::sqrt((n - 1) / n * squares);
-  const double estimate = statistic(values);
   return {estimate, estimate - half, estimate + half};
 }
 

@@ -179,7 +179,7 @@ Verdict decide_knee(const std::vector<StepErrors>& views, std::uint64_t seed) {
                     kSteps_px.back(), kSteps_px.front()));
   const Interval share = share_at_one(views, seed);
   Verdict verdict = decide_claim(share, Comparison::kBelow, kShareWithoutKnee, "loss_share_at_1_px", "1",
-                                 fmt::format("95 % bootstrap over {} views", views.size()));
+                                 uncertainty_over(views.size(), "views"));
   for (const StepErrors& view : views)
     if (std::find(verdict.scenes.begin(), verdict.scenes.end(), view.scene) == verdict.scenes.end())
       verdict.scenes.push_back(view.scene);
@@ -228,7 +228,7 @@ ReproductionResult reproduce_claim_g1(Laboratory& laboratory) {
   result.add_plot("error-over-step",
                   {plot_of(views, seed),
                    "Difference from the view with the finest step over the distance of search samples; "
-                   "95 % bootstrap intervals over all views",
+                   "95 % intervals over all views",
                    result.ours_shows});
   add_rows(result.rows, views);
   if (!views.empty()) add_example(result, laboratory, views.front().scene, views.front().position);

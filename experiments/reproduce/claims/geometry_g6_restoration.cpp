@@ -141,7 +141,7 @@ Verdict decide(const Subject& subject, Comparison comparison) {
         fmt::format("Background was restored in {} of {} {} of {}: too few, or the rest shows no error.",
                     used, subject.units.size(), subject.unit, subject.title));
   Verdict verdict = decide_claim(*subject.ratio, comparison, kAsTheRest, "restored_error_over_rest", "1",
-                                 fmt::format("95 % bootstrap over {} {}", used, subject.unit));
+                                 uncertainty_over(static_cast<std::size_t>(used), subject.unit));
   verdict.scenes = {subject.name};
   verdict.explanation = fmt::format(
       "RMS error of encoded values in restored pixels of {} where the true view shows background too (a "

@@ -214,7 +214,7 @@ Plates measure_plates(const LaboratoryOptions& options, ReproductionResult& resu
 
 Verdict decide_filling(const Interval& ratio, std::size_t plates) {
   Verdict verdict = decide_claim(ratio, Comparison::kBelow, kNoChange, "rms_error_ratio", "1",
-                                 fmt::format("95 % bootstrap over {} plates", plates));
+                                 uncertainty_over(plates, "plates"));
   verdict.scenes = {"flat plates with slits"};
   verdict.explanation = fmt::format(
       "RMS error (encoded values) inside a plate with slits before a uniform background, with slits closed "
@@ -238,8 +238,7 @@ ReportPlot plot_of(const Interval& uniform_background, const Interval& structure
   plot.series = {{.title = "ratio", .points = {}}};
   for (const Interval& r : {uniform_background, structured_background})
     plot.series[0].points.push_back({.y = r.estimate, .y_low = r.low, .y_high = r.high, .label = {}});
-  return {plot,
-          "Error with filled slits as a multiple of that with slits as they are; 95 % bootstrap intervals",
+  return {plot, "Error with filled slits as a multiple of that with slits as they are; 95 % intervals",
           std::move(alt)};
 }
 

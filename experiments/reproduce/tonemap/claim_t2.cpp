@@ -115,7 +115,7 @@ LedgerEntry fall_entry(const SceneOutcome& worst) {
   LedgerEntry entry{{"A-T2a", "Altmeier 2018, section 5.1.3",
                      "Without the foreground layer contrast across depth edges falls."},
                     decide_claim(worst.fall, Comparison::kBelow, kNoFall, "edge_contrast_over_naive", "1",
-                                 "95 % bootstrap over key views")};
+                                 "95 % interval over key views")};
   entry.verdict.explanation = fmt::format(
       "Contrast of log target luminance across depth edges of up to 0.4 log10 units, without the foreground "
       "layer over naive, for the scene where it falls least ({}).",
@@ -127,7 +127,7 @@ LedgerEntry return_entry(const SceneOutcome& worst) {
   LedgerEntry entry{{"A-T2b", "Altmeier 2018, section 5.1.3",
                      "With the foreground layer part of the contrast across depth edges returns."},
                     decide_claim(worst.between, Comparison::kAbove, kNothing,
-                                 "smaller_share_returned_or_lost", "1", "95 % bootstrap over key views")};
+                                 "smaller_share_returned_or_lost", "1", "95 % interval over key views")};
   entry.verdict.explanation = fmt::format(
       "Of the contrast that edges lose without the layer, {} returns with it in the scene where it is "
       "nearest "

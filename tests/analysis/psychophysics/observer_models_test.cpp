@@ -1,14 +1,17 @@
-// d′, beta-binomial and rank correlation.
+// d′, beta-binomial, participant effect and rank correlation.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <vector>
 
 #include "analysis/psychophysics/beta_binomial.h"
 #include "analysis/psychophysics/binomial.h"
 #include "analysis/psychophysics/dprime.h"
+#include "analysis/psychophysics/participant_effect.h"
 #include "analysis/psychophysics/rank_correlation.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
@@ -119,6 +122,86 @@ TEST(BetaBinomial, SaysWhenTheDataCannotTell) {
   EXPECT_EQ(none.rate.low, 0);
   EXPECT_EQ(none.overdispersion.high, 1);
   EXPECT_THROW(fit_beta_binomial({}), InputError);
+}
+
+/// One trial of each of five images by each of `people`: even ones answer by the rates `even`, odd by `odd`.
+std::vector<StudyTrial> observed(int people, const std::array<double, 5>& even,
+                                 const std::array<double, 5>& odd, std::uint64_t seed) {
+  std::vector<StudyTrial> trials;
+  for (int p = 0; p < people; ++p) {
+    RandomStream random(seed, 11, static_cast<std::uint64_t>(p));
+    const auto& rates = p % 2 == 0 ? even : odd;
+    for (std::size_t i = 0; i < rates.size(); ++i) {
+      StudyTrial trial;
+      trial.participant = fmt::format("P{}", p);
+      trial.display = "monitor";
+      trial.image = fmt::format("{}", i);
+      trial.chose_test = random.next_double() < rates[i];
+      trials.push_back(trial);
+    }
+  }
+  return trials;
+}
+
+/// Sums of the same trials, which ignore that images have rates of their own.
+std::vector<Proportion> sums_of(const std::vector<StudyTrial>& trials) {
+  std::map<std::string, Proportion> sums;
+  for (const StudyTrial& trial : trials) {
+    ++sums[trial.participant].trials;
+    sums[trial.participant].hits += trial.chose_test ? 1 : 0;
+  }
+  std::vector<Proportion> result;
+  for (const auto& entry : sums) result.push_back(entry.second);
+  return result;
+}
+
+TEST(ParticipantEffect, FindsParticipantsWhoDifferThoughImagesDifferMore) {
+  const auto trials = observed(200, {0, 0, 0.9, 0.9, 0.25}, {0.1, 0.1, 1, 1, 0.75}, 3);
+  EXPECT_EQ(fit_beta_binomial(sums_of(trials)).p_overdispersed, 1);  // what sums alone would say
+  const auto effect = participant_effect(trials);
+  ASSERT_TRUE(effect);
+  EXPECT_LT(effect->p_value, 0.01);
+  EXPECT_GT(effect->correlation.low, 0);
+  EXPECT_GE(effect->correlation.estimate, effect->correlation.low);
+  EXPECT_LE(effect->correlation.estimate, effect->correlation.high);
+}
+
+TEST(ParticipantEffect, AlikeParticipantsDifferAsOftenAsAlphaSays) {
+  constexpr int kStudies = 200;
+  const std::array<double, 5> rates{0.05, 0.2, 0.9, 0.8, 0.5};
+  int differ = 0, covered = 0;
+  for (int s = 0; s < kStudies; ++s) {
+    const auto effect = participant_effect(observed(34, rates, rates, static_cast<std::uint64_t>(100 + s)),
+                                           {.confidence = 0.95, .resamples = 199});
+    ASSERT_TRUE(effect);
+    differ += effect->p_value <= 0.05 ? 1 : 0;
+    covered += effect->correlation.low <= 0 && effect->correlation.high >= 0 ? 1 : 0;
+  }
+  EXPECT_LE(differ, 20);  // binomial(200, 0.05): more than 20 with probability 0.0013
+  EXPECT_GE(differ, 1);
+  EXPECT_GE(covered, 170);
+}
+
+TEST(ParticipantEffect, TwoKindsWhoAlwaysDifferCorrelateFully) {
+  const auto effect = participant_effect(observed(40, {1, 1, 1, 1, 1}, {0, 0, 0, 0, 0}, 5));
+  ASSERT_TRUE(effect);
+  EXPECT_NEAR(effect->correlation.estimate, 1, 1e-12);
+  EXPECT_EQ(effect->p_value, 1.0 / 2000);
+}
+
+TEST(ParticipantEffect, LeavesOutCatchTrialsAndSaysWhenItCannotTell) {
+  auto trials = observed(34, {0.2, 0.3, 0.4, 0.5, 0.6}, {0.4, 0.5, 0.6, 0.7, 0.8}, 6);
+  const auto effect = participant_effect(trials);
+  ASSERT_TRUE(effect);
+  StudyTrial caught = trials[0];
+  caught.is_catch = true;
+  caught.chose_test = !caught.chose_test;
+  trials.push_back(caught);
+  EXPECT_EQ(participant_effect(trials)->correlation.estimate, effect->correlation.estimate);
+  EXPECT_FALSE(participant_effect({}));
+  EXPECT_FALSE(participant_effect(observed(1, {0.5, 0.5, 0.5, 0.5, 0.5}, {}, 6)));
+  EXPECT_FALSE(participant_effect(observed(9, {0, 0, 1, 1, 1}, {0, 0, 1, 1, 1}, 6)));
+  EXPECT_THROW(participant_effect(trials, {.resamples = 9}), InputError);
 }
 
 TEST(RankCorrelation, OrderAloneCountsAndTheExactPIsThatOfTheTables) {

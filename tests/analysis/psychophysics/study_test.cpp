@@ -1,6 +1,8 @@
 // From files of counts and trials to the table of a study.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 #include "analysis/psychophysics/dprime.h"
@@ -71,6 +73,20 @@ TEST(StudyCounts, RefuseFieldsThatCannotBe) {
             "counts.csv has no column 'k': it has display, image, n");
   EXPECT_EQ(message_of([] { counts_from("display,image,n,k,verdict\nm,1,34,3,passed?\n"); }),
             "counts.csv, line 2: 'verdict' must be one of PASSED, FAILED, not 'passed?'");
+}
+
+TEST(StudyTrials, ImagesOfATrialFileAreListedByNameAndNotAsSomebodySawThem) {
+  const auto counts =
+      count_choices(trials_from("p1,real,b,1,monitor,o,1,image 10,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,2,image 2,0,1,1,2,1,1,1,0\n"
+                                "p1,real,c,2,glasses,o,1,image 02,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,3,image 1,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,4,image,0,1,1,2,1,1,1,0\n"
+                                "p1,real,c,2,glasses,o,2,image 2,0,1,1,2,1,1,1,0\n"));
+  std::vector<std::string> names;
+  for (const StudyCount& count : counts) names.push_back(count.display + "/" + count.image);
+  EXPECT_EQ(names, (std::vector<std::string>{"glasses/image 02", "glasses/image 2", "monitor/image",
+                                             "monitor/image 1", "monitor/image 2", "monitor/image 10"}));
 }
 
 TEST(StudyTrials, AreCountedWithoutCatchTrials) {
@@ -159,6 +175,107 @@ TEST(StudyTable, SaysWhenNoCountCouldShowEquivalenceOrPass) {
   EXPECT_TRUE(verdict_text(hopeless.rows[0], strict).starts_with("failed: no count of 3 trials"));
 }
 
+/// `people` participants see images a and b once on one display, and every second of them takes the test
+/// image for the reference. Each has `catches` catch trials, of which the first `wrong` people fail one.
+std::vector<StudyTrial> guessers(int people, int catches, int wrong) {
+  std::vector<StudyTrial> trials;
+  for (int p = 0; p < people; ++p) {
+    StudyTrial trial;
+    trial.participant = fmt::format("P{}", p);
+    trial.mode = "real";
+    trial.block = "b1";
+    trial.display = "monitor";
+    for (const std::string image : {"a", "b"}) {
+      trial.image = image;
+      trial.test_first = p % 4 < 2;
+      trial.chose_test = p % 2 == 0;
+      trials.push_back(trial);
+      ++trial.trial;
+    }
+    trial.is_catch = true;
+    for (int c = 0; c < catches; ++c, ++trial.trial) {
+      trial.chose_test = p < wrong && c == 0;
+      trials.push_back(trial);
+    }
+  }
+  return trials;
+}
+
+std::string equivalence_of_first(const std::vector<StudyTrial>& trials, const StudyOptions& options = {}) {
+  const Study study = analyse_trials(trials, options);
+  return equivalence_text(study.rows[0], options.equivalence);
+}
+
+TEST(StudyTable, CallsImagesIndistinguishableWhereEveryCatchTrialWasRight) {
+  EXPECT_TRUE(equivalence_of_first(guessers(200, 1, 0)).starts_with("indistinguishable within 0.5 ± 0.15"));
+}
+
+TEST(StudyTable, WithholdsIndistinguishableWhereNobodyIsKnownToHaveLooked) {
+  const std::string without = equivalence_of_first(guessers(200, 0, 0));
+  EXPECT_EQ(without.find("indistinguishable"), std::string::npos) << without;
+  EXPECT_TRUE(without.ends_with("but there were no catch trials, so nobody is known to have looked"));
+  const std::string half = equivalence_of_first(guessers(200, 1, 100));
+  EXPECT_EQ(half.find("indistinguishable"), std::string::npos) << half;
+  EXPECT_NE(half.find("but 100 of 200 catch trials were wrong"), std::string::npos) << half;
+}
+
+TEST(StudyTable, TheLimitOfLapsesIsTheOneStated) {
+  const std::vector<StudyTrial> trials = guessers(200, 1, 4);
+  const double high = lapse_rate(trials)->lapse.high;
+  StudyOptions options;
+  options.most_lapses = high;
+  EXPECT_TRUE(equivalence_of_first(trials, options).starts_with("indistinguishable"));
+  options.most_lapses = high - 1e-9;
+  EXPECT_FALSE(equivalence_of_first(trials, options).starts_with("indistinguishable"));
+}
+
+TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsRepeatAnImage) {
+  std::vector<StudyTrial> trials = guessers(200, 1, 0);
+  for (StudyTrial& trial : trials)
+    trial.participant = fmt::format("P{}", std::stoi(trial.participant.substr(1)) / 10);
+  const std::string text = equivalence_of_first(trials);
+  EXPECT_TRUE(text.ends_with("but participants have several trials of the image, which are not independent"))
+      << text;
+}
+
+TEST(StudyTable, OverdispersionIsThatOfOneImageAndOnlyWhereItIsRepeated) {
+  const auto repeated_by = [](int tenth) {
+    std::vector<StudyTrial> trials = guessers(200, 1, 0);
+    for (StudyTrial& trial : trials)
+      trial.participant = fmt::format("P{}", std::stoi(trial.participant.substr(1)) % tenth);
+    return analyse_trials(trials);
+  };
+  const auto overdispersion_rows = [](const Study& study) {
+    const ResultTable table = study_table(study);
+    return std::count_if(table.rows().begin(), table.rows().end(),
+                         [](const ResultRow& row) { return row.quantity == "overdispersion"; });
+  };
+  const Study once = repeated_by(200), often = repeated_by(20);
+  EXPECT_FALSE(once.rows[0].repeats);
+  EXPECT_EQ(overdispersion_rows(once), 0);
+  // Of 20 participants with ten trials of an image each, every second always takes the test image.
+  ASSERT_TRUE(often.rows[0].repeats);
+  EXPECT_EQ(overdispersion_rows(often), 2);
+  EXPECT_GT(often.rows[0].repeats->fit.overdispersion.low, 0.9);
+  EXPECT_NEAR(often.rows[0].repeats->fit.design_effect, 10, 0.1);
+  ASSERT_TRUE(once.observers[0].participants);
+  EXPECT_LT(once.observers[0].participants->p_value, 0.01);
+}
+
+TEST(StudyTable, EquivalenceIsCorrectedForTheNumberOfRows) {
+  const StudyCount count{"d", "1", {50, 100}, 0, ""};
+  const StudyRow alone = analyse_counts({count}).rows[0];
+  EXPECT_TRUE(alone.indistinguishable({}));
+  std::vector<StudyCount> many(50, count);
+  for (std::size_t i = 0; i < many.size(); ++i) many[i].image = std::to_string(i);
+  const StudyRow one = analyse_counts(many).rows[0];
+  EXPECT_NEAR(one.equivalence_p_holm, 50 * one.equivalence_p, 1e-12);
+  EXPECT_TRUE(one.equivalent());
+  EXPECT_FALSE(one.indistinguishable({}));
+  EXPECT_TRUE(
+      equivalence_text(one, {}).starts_with("that the rate lies within 0.5 ± 0.15 is not shown after"));
+}
+
 TEST(StudyTable, SurvivesExtremeCounts) {
   for (const double p_null : {0.0, 1e-12, 0.19, 1 - 1e-12}) {
     StudyOptions options;
@@ -197,6 +314,8 @@ TEST(StudyTable, RefusesOptionsOutOfRange) {
   };
   EXPECT_EQ(with([](StudyOptions& o) { o.p_null = 1; }), "the tested rate is 1 but must lie in [0, 1)");
   EXPECT_EQ(with([](StudyOptions& o) { o.alternatives = {2}; }), "the true rate 2 must lie in [0, 1]");
+  EXPECT_EQ(with([](StudyOptions& o) { o.most_lapses = 2; }),
+            "the largest share of lapses is 2 but must lie in [0, 1]");
   EXPECT_THROW(analyse_counts({}), InputError);
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "core/base/random.h"
@@ -57,6 +58,22 @@ TEST(ClaimStatistics, AFewRatiosOfSumsHaveAnIntervalAroundTheRatio) {
   EXPECT_DOUBLE_EQ(interval.estimate, 6.1 / 12);
   EXPECT_LT(interval.low, 0.5);
   EXPECT_GT(interval.high, 3.1 / 6);
+}
+
+TEST(ClaimStatistics, ARatioThatLosesItsDenominatorWithOneUnitIsBoundedByNothing) {
+  const std::array above{1.0, 2.0, 3.0}, below{0.0, 4.0, 0.0};
+  const auto ratio = [&](std::span<const double> drawn) {
+    double a = 0, b = 0;
+    for (const double i : drawn) {
+      a += above[static_cast<std::size_t>(i)];
+      b += below[static_cast<std::size_t>(i)];
+    }
+    return b > 0 ? a / b : std::numeric_limits<double>::infinity();
+  };
+  const Interval interval = bootstrap_units(3, ratio, 1);
+  EXPECT_DOUBLE_EQ(interval.estimate, 1.5);
+  EXPECT_EQ(interval.low, -std::numeric_limits<double>::infinity());
+  EXPECT_EQ(interval.high, std::numeric_limits<double>::infinity());
 }
 
 TEST(ClaimStatistics, TheUncertaintySaysWhatItRestsOn) {
