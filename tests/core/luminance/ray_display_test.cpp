@@ -97,9 +97,10 @@ TEST(RayDisplay, EveryObserverSeesLightAtEveryPointOfTheScreen) {
   for (const auto& [name, display] : displays()) {
     const PinholeSize size = display->resolution();
     const ObserverSamples samples = samples_of(*display, 23, 7);
+    const int edge = display->in_columns() ? 0 : 1;  // the edge of the screen cuts slanted lenses
     std::vector<Ray> rays;
     for (int j = 0; j < samples.size(); ++j)
-      for (int a = 0; a < size.width; ++a) {
+      for (int a = edge; a < size.width - edge; ++a) {
         rays.clear();
         display->rays_at(size.middle(a, size.height / 2), rays);
         double sum = 0;
