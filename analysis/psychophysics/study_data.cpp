@@ -66,6 +66,36 @@ std::string name_of(TrialMode mode) {
   return "";
 }
 
+/// Whether `a` comes before `b` where runs of digits compare by value. Leading zeros decide last.
+bool before_by_value(std::string_view a, std::string_view b) {
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!is_digit(a[i]) || !is_digit(b[j])) {
+      if (a[i] != b[j]) return a[i] < b[j];
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [&](std::string_view text, std::size_t& at) {
+      while (at < text.size() && text[at] == '0') ++at;
+      const std::size_t start = at;
+      while (at < text.size() && is_digit(text[at])) ++at;
+      return text.substr(start, at - start);
+    };
+    const std::string_view left = number(a, i), right = number(b, j);
+    if (left.size() != right.size()) return left.size() < right.size();
+    if (left != right) return left < right;
+  }
+  if (i < a.size() || j < b.size()) return j < b.size();
+  return a < b;
+}
+
+void sort_by_name(std::vector<StudyCount>& counts) {
+  std::ranges::stable_sort(counts, [](const StudyCount& a, const StudyCount& b) {
+    return a.display == b.display ? before_by_value(a.image, b.image) : before_by_value(a.display, b.display);
+  });
+}
+
 }  // namespace
 
 bool holds_trials(const CsvTable& table) {
@@ -140,6 +170,7 @@ std::vector<StudyCount> count_choices(const std::vector<StudyTrial>& trials) {
   }
   for (std::size_t i = 0; i < counts.size(); ++i)
     counts[i].participants = static_cast<std::int64_t>(participants[i].size());
+  sort_by_name(counts);
   return counts;
 }
 

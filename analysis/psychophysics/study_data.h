@@ -59,7 +59,8 @@ std::vector<StudyCount> parse_study_counts(const CsvTable& table);
 /// Those of one mode. Throws InputError, with the modes there are, if none is left.
 std::vector<StudyTrial> trials_of_mode(const std::vector<StudyTrial>& trials, TrialMode mode);
 
-/// Counts by display and image, in the order of first appearance, catch trials left out.
+/// Counts by display and image, catch trials left out, sorted by these names with numbers by value
+/// ("image 2" before "image 10"): the order in which somebody saw them is drawn anew for each participant.
 std::vector<StudyCount> count_choices(const std::vector<StudyTrial>& trials);
 
 }  // namespace plenolab

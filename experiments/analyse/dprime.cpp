@@ -41,6 +41,17 @@ void add_correct(ResultTable& table, const DprimeOptions& options) {
     add_interval(table, dprime_interval(correct, one.model, !options.raw, options.confidence), one.name);
 }
 
+/// The matching models know no share of correct answers below one half.
+void warn_below_chance(const DprimeOptions& options) {
+  const Proportion correct = parse_count(options.correct, "--correct");
+  if (2 * correct.hits >= correct.trials) return;
+  fmt::print(
+      "Careful: {} of {} correct are fewer than guessing gives. The models of matching to sample (abx) end "
+      "at "
+      "d' = 0, so that their 0, with its interval, is a limit of the model and no measurement.\n",
+      correct.hits, correct.trials);
+}
+
 void add_yes_no(ResultTable& table, const DprimeOptions& options) {
   const YesNoSensitivity s = yes_no_sensitivity(parse_count(options.hits, "--hits"),
                                                 parse_count(options.false_alarms, "--false-alarms"),
@@ -63,6 +74,7 @@ void run_dprime(const Invocation& invocation, const DprimeOptions& options) {
   else
     add_correct(table, options);
   emit_results(table, provenance, options.common);
+  if (!yes_no && !output_is_for_programs(options.common)) warn_below_chance(options);
 }
 
 }  // namespace

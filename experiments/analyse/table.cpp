@@ -67,7 +67,7 @@ std::string printed(const StudyRow& row) {
   return fmt::format(" Printed: {}{}", word, agrees ? "." : ", which the count contradicts.");
 }
 
-std::string observer_text(const ObserverSummary& observer) {
+std::string observer_text(const ObserverSummary& observer, double alpha) {
   std::string text = observer.display.empty() ? "All displays:" : observer.display + ":";
   if (observer.bias)
     text += fmt::format(
@@ -83,7 +83,12 @@ std::string observer_text(const ObserverSummary& observer) {
                     100 * observer.lapse->lapse.high);
   else
     text += "; there were no catch trials, so lapses are not known";
-  return text + ".";
+  text += ".";
+  if (observer.lapse && observer.lapse->wrong.count.hits > 0 && observer.bias &&
+      observer.bias->p_value < alpha)
+    text +=
+        " Who prefers a side errs in catch trials too: some of what counts as lapses may be that preference.";
+  return text;
 }
 
 std::string repeats_text(const StudyRow& row) {
@@ -156,7 +161,8 @@ void print_for_people(const Study& study, const ResultTable& table) {
   fmt::print(
       "If every true rate were {:g}, at least one of the {} rows would pass with probability {:.3f}.\n",
       study.options.p_null, study.rows.size(), study.any_false_pass);
-  for (const ObserverSummary& observer : study.observers) fmt::print("{}\n", observer_text(observer));
+  for (const ObserverSummary& observer : study.observers)
+    fmt::print("{}\n", observer_text(observer, study.options.alpha));
   for (const ObserverSummary& observer : study.observers)
     if (observer.participants) fmt::print("{}\n", participants_text(observer, study.options.alpha));
 }

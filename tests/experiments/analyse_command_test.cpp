@@ -70,6 +70,32 @@ TEST_F(Analyse, TableOfCountsSaysWhatPassingMeansAndDrawsIt) {
   EXPECT_TRUE(fs::exists(folder_.path() / "choices.svg"));
 }
 
+TEST_F(Analyse, FewerCorrectAnswersThanGuessingGivesAreNamedAsSuch) {
+  const ProgramResult below = run_program({"analyse", "dprime", "--correct", "10,34"});
+  EXPECT_NE(below.out.find("10 of 34 correct are fewer than guessing gives"), std::string::npos) << below.out;
+  const ProgramResult above = run_program({"analyse", "dprime", "--correct", "17,34"});
+  EXPECT_EQ(above.out.find("Careful"), std::string::npos) << above.out;
+}
+
+TEST_F(Analyse, APreferredSideIsNotTakenForLapsesWithoutSayingSo) {
+  const std::string header =
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n";
+  // Either everybody takes the left image always (the test image lies left in every second trial), or one
+  // catch trial of two is wrong, as often on either side.
+  const auto table_where = [&](bool left_always) {
+    std::string text = header;
+    for (int p = 0; p < 20; ++p)
+      for (int t = 1; t <= 4; ++t)
+        text += fmt::format("p{},real,b,1,m,o,{},{},{},{},{},2,1,1,1,0\n", p, t, t <= 2 ? "easy" : "image 1",
+                            t <= 2 ? 1 : 0, t % 2, left_always ? t % 2 : (t == 1 + p % 2 ? 1 : 0));
+    return run_program({"analyse", "table", written("trials.csv", text)}).out;
+  };
+  EXPECT_NE(table_where(true).find("Who prefers a side errs in catch trials too"), std::string::npos)
+      << table_where(true);
+  EXPECT_EQ(table_where(false).find("Who prefers a side"), std::string::npos) << table_where(false);
+}
+
 TEST_F(Analyse, PowerIsToldForEachNumberOfTrials) {
   const fs::path counts = written("counts.csv", "display,image,n,k\nm,1,34,12\nm,2,100,40\nm,3,34,6\n");
   const ProgramResult result = run_program({"analyse", "table", counts, "--true-rate", "0.35"});

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <tuple>
 
 #include "analysis/timing.h"
 #include "core/base/file.h"
@@ -103,12 +102,7 @@ SimulatedStudy simulate(std::uint64_t seed) {
   result.counts = export_sessions(sessions, SessionMode::kSimulated, out);
   measure_black(sessions, result);
   const CsvTable table = parse_csv(read_text_file(out / "trials.csv"), "trials.csv");
-  std::vector<StudyTrial> trials = parse_study_trials(table);
-  // Rows come in the order of first appearance, which was random.
-  std::stable_sort(trials.begin(), trials.end(), [](const StudyTrial& a, const StudyTrial& b) {
-    return std::tie(a.display, a.image) < std::tie(b.display, b.image);
-  });
-  result.analysed = analyse_trials(trials, published_options());
+  result.analysed = analyse_trials(parse_study_trials(table), published_options());
   return result;
 }
 

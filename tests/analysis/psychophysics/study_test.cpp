@@ -75,6 +75,20 @@ TEST(StudyCounts, RefuseFieldsThatCannotBe) {
             "counts.csv, line 2: 'verdict' must be one of PASSED, FAILED, not 'passed?'");
 }
 
+TEST(StudyTrials, ImagesOfATrialFileAreListedByNameAndNotAsSomebodySawThem) {
+  const auto counts =
+      count_choices(trials_from("p1,real,b,1,monitor,o,1,image 10,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,2,image 2,0,1,1,2,1,1,1,0\n"
+                                "p1,real,c,2,glasses,o,1,image 02,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,3,image 1,0,1,1,2,1,1,1,0\n"
+                                "p1,real,b,1,monitor,o,4,image,0,1,1,2,1,1,1,0\n"
+                                "p1,real,c,2,glasses,o,2,image 2,0,1,1,2,1,1,1,0\n"));
+  std::vector<std::string> names;
+  for (const StudyCount& count : counts) names.push_back(count.display + "/" + count.image);
+  EXPECT_EQ(names, (std::vector<std::string>{"glasses/image 02", "glasses/image 2", "monitor/image",
+                                             "monitor/image 1", "monitor/image 2", "monitor/image 10"}));
+}
+
 TEST(StudyTrials, AreCountedWithoutCatchTrials) {
   const auto trials = trials_from(
       "P1,real,b1,1,monitor,ab,1,cave,0,1,1,2.5,1,1,1,0\n"
