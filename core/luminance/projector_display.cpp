@@ -69,6 +69,8 @@ ProjectorDisplayOptions projector_display_options(DisplayPreset preset) {
   switch (preset) {
     case DisplayPreset::kQuick:
       return {.projectors = 24, .width = 160, .height = 90};
+    case DisplayPreset::kSmall:
+      return {.width = 160, .height = 90};
     case DisplayPreset::kFull:
       return {};
     case DisplayPreset::kPaper:

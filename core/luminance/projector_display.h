@@ -28,6 +28,7 @@ struct ProjectorDisplayOptions {
 /// The display's sizes by name.
 enum class DisplayPreset {
   kQuick,  ///< 24 projectors of 160 × 90 pixels
+  kSmall,  ///< 96 of 160 × 90: blurs depth as the full display does, with fewer pixels
   kFull,   ///< 96 of 640 × 360
   kPaper,  ///< 96 of 1280 × 720
 };

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <limits>
 #include <span>
 
 #include "core/base/error.h"
@@ -39,36 +39,28 @@ void count_defect(float v, PixelRepairs& repairs) {
     ++repairs.positive_infinity;
 }
 
-/// As luminance_row after repair; slow, for rays with defects.
-PixelRepairs repair_into(const SceneRays& rays, RayValues<float>& out) {
-  const RayCount size = rays.size();
-  const float largest = largest_of(rays);
+}  // namespace
+
+PixelRepairs repair(SceneRays& rays) {
   PixelRepairs repairs;
-  const auto from = columns_of(rays, 0, size.images * size.width);
-  std::vector<Rgb> repaired(from.begin(), from.end());
-  for (Rgb& c : repaired)
-    for (float* v : {&c.r, &c.g, &c.b}) count_defect(*v, repairs), *v = repaired_value(*v, largest);
-  luminance_row(repaired, {out.column(0, 0), repaired.size()});
+  const float largest = largest_of(rays);
+  Rgb* values = rays.column(0, 0);
+  for (std::size_t i = 0; i < rays.size().total(); ++i)
+    for (float* v : {&values[i].r, &values[i].g, &values[i].b}) {
+      count_defect(*v, repairs);
+      *v = repaired_value(*v, largest);
+    }
   return repairs;
 }
 
-}  // namespace
-
-RayLuminance luminance_of(const SceneRays& rays, int threads) {
+RayValues<float> luminance_of(const SceneRays& rays, int threads) {
   const RayCount size = rays.size();
-  RayLuminance result{RayValues<float>(size), {}};
-  const int columns = size.images * size.width;
-  std::vector<unsigned char> usable(static_cast<std::size_t>(columns / kColumns + 1), 1);
-  parallel_for(columns, kColumns, threads, [&](int begin, int end) {
-    for (int c = begin; c < end; ++c) {
-      const auto column = columns_of(rays, c, c + 1);
-      if (!all_usable(column)) usable[static_cast<std::size_t>(begin / kColumns)] = 0;
-      luminance_row(column, {result.values.column(0, c), column.size()});
-    }
+  RayValues<float> luminance(size);
+  parallel_for(size.images * size.width, kColumns, threads, [&](int begin, int end) {
+    const auto columns = columns_of(rays, begin, end);
+    luminance_row(columns, {luminance.column(0, begin), columns.size()});
   });
-  if (std::find(usable.begin(), usable.end(), 0) != usable.end())
-    result.repairs = repair_into(rays, result.values);
-  return result;
+  return luminance;
 }
 
 SceneImage image_of(const SceneRays& rays, int k) {

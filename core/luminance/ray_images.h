@@ -50,12 +50,12 @@ class RayImages : public RayValues<Rgb> {
 using SceneRays = RayImages<SceneReferred>;
 using DisplayRays = RayImages<DisplayLight>;
 
-/// Luminance of all rays in cd/m², finite and ≥ 0 (Lum3D in the paper), and what had to be repaired for that.
-struct RayLuminance {
-  RayValues<float> values;
-  PixelRepairs repairs;
-};
-RayLuminance luminance_of(const SceneRays& rays, int threads = 0);
+/// Replaces NaN, infinite and negative channel values as core/image/repair.h does, and says how many.
+PixelRepairs repair(SceneRays& rays);
+
+/// Luminance of all rays in cd/m² (Lum3D in the paper). Rays must be finite and ≥ 0: repair those from
+/// outside first.
+RayValues<float> luminance_of(const SceneRays& rays, int threads = 0);
 
 /// Image k as a picture with rows, and back. Sizes must agree.
 SceneImage image_of(const SceneRays& rays, int k);

@@ -85,24 +85,24 @@ TEST(RayImages, PicturesGoInAndOutUnchanged) {
   EXPECT_THROW(set_image(copy, 0, SceneImage(4, 4)), InputError);
 }
 
-TEST(RayImages, LuminanceIsFiniteAndDefectsAreCounted) {
+TEST(RayImages, DefectsAreRepairedAndCounted) {
   const ProjectorDisplay display = small_projectors(3, 70, 4);
   SceneRays rays = rays_by(display, [](const Ray&) { return Rgb{2, 2, 2}; });
-  EXPECT_NEAR(luminance_of(rays).values.at({1, 2, 3}), 2, 1e-6f);
-  EXPECT_EQ(luminance_of(rays).repairs.total(), 0);
+  EXPECT_NEAR(luminance_of(rays).at({1, 2, 3}), 2, 1e-6f);
+  EXPECT_EQ(repair(rays).total(), 0);
   rays.at({0, 1, 2}).r = std::numeric_limits<float>::quiet_NaN();
   rays.at({2, 69, 3}).g = std::numeric_limits<float>::infinity();
   rays.at({1, 0, 0}).b = -1;
-  const RayLuminance repaired = luminance_of(rays);
-  EXPECT_EQ(repaired.repairs, (PixelRepairs{1, 1, 1}));
-  EXPECT_NEAR(repaired.values.at({2, 69, 3}), 2, 1e-6f);
-  EXPECT_NEAR(repaired.values.at({0, 1, 2}), 2 * (1 - 0.2126f), 1e-6f);
+  EXPECT_EQ(repair(rays), (PixelRepairs{1, 1, 1}));
+  const auto luminance = luminance_of(rays);
+  EXPECT_NEAR(luminance.at({2, 69, 3}), 2, 1e-6f);
+  EXPECT_NEAR(luminance.at({0, 1, 2}), 2 * (1 - 0.2126f), 1e-6f);
 }
 
 TEST(RayReinhard, IsThePhotographicCurveWithTheLuminanceOfEachRay) {
   const ProjectorDisplay display = small_projectors();
   const SceneRays rays = random_rays(display);
-  const auto estimate = estimate_luminance(display, luminance_of(rays).values, samples_of(display, 50), {});
+  const auto estimate = estimate_luminance(display, luminance_of(rays), samples_of(display, 50), {});
   const auto mapped = map_rays(display, rays, estimate, {.key = 0.3});
   for (const Ray ray : {Ray{0, 0, 0}, {5, 20, 7}, {11, 39, 19}}) {
     const double l = static_cast<double>(luminance(rays.at(ray)));
@@ -117,7 +117,7 @@ TEST(RayReinhard, OfAPictureEqualsThatOfRaysWithOneLuminanceForAll) {
   const ProjectorDisplay display = small_projectors(2, 9, 5);
   const SceneRays rays = random_rays(display);
   const LuminanceOptions all{.method = LuminanceMethod::kAll};
-  const auto estimate = estimate_luminance(display, luminance_of(rays).values, samples_of(display, 4), all);
+  const auto estimate = estimate_luminance(display, luminance_of(rays), samples_of(display, 4), all);
   const auto by_rays = map_rays(display, rays, estimate);
   const auto picture = map_picture(image_of(rays, 1), estimate.ln_luminance[0]);
   for (int v = 0; v < 5; ++v)
@@ -139,7 +139,7 @@ TEST(RayReinhard, StaysWithinTheDisplayAndCountsWhatItCuts) {
 TEST(RayReinhard, LeavesAFieldWithoutLuminanceBlackAndSaysSo) {
   const ProjectorDisplay display = small_projectors(2, 4, 3);
   const SceneRays black(display.size());
-  const auto estimate = estimate_luminance(display, luminance_of(black).values, samples_of(display, 10), {});
+  const auto estimate = estimate_luminance(display, luminance_of(black), samples_of(display, 10), {});
   const auto mapped = map_rays(display, black, estimate);
   EXPECT_EQ(mapped.undefined, 24);
   EXPECT_EQ(map_picture(SceneImage(3, 3), std::nullopt).undefined, 9);
