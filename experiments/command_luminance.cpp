@@ -162,8 +162,7 @@ void look(Run& run, const Observer& observer, const std::vector<DisplayRays>& ma
     write_light(folder, fmt::format("{}-{}", name_of(run.methods[m].method), observer.name), seen);
   }
   if (folder.empty()) return;
-  const SceneImage hdr =
-      perceive(*run.field.display, run.field.rays, observer.position, size, rendering.threads).image;
+  const SceneImage& hdr = references.result;
   write_scene_image(folder / fmt::format("perceived-{}.exr", observer.name), hdr, 1.0);
   write_display_image(folder / fmt::format("perceived-{}.png", observer.name),
                       expose(hdr, exposure_from(hdr)));

@@ -2,23 +2,51 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "analysis/timing.h"
 #include "core/base/error.h"
+#include "core/luminance/point_rays.h"
 #include "metrics/psnr.h"
 
 namespace plenolab {
+
+namespace {
+
+ShownField shown(const LitRays& lit, std::shared_ptr<const RayDisplay> display, SceneRays rays,
+                 double seconds, int threads) {
+  ShownField field = show_rays(lit.scene().scene.id, std::move(display), std::move(rays), threads);
+  field.scene = lit;
+  field.render_seconds = seconds;
+  return field;
+}
+
+}  // namespace
 
 ShownField show_scene(const LitScene& scene, std::shared_ptr<const RayDisplay> display,
                       const RayRendering& rendering) {
   const LitRays lit(scene);
   const Stopwatch watch;
   SceneRays rays = render_rays(lit, *display, rendering);
-  const double seconds = watch.seconds();
-  ShownField field = show_rays(scene.scene.id, std::move(display), std::move(rays), rendering.threads);
-  field.scene = lit;
-  field.render_seconds = seconds;
-  return field;
+  return shown(lit, std::move(display), std::move(rays), watch.seconds(), rendering.threads);
+}
+
+ShownField show_scene_to(const LitScene& scene, std::shared_ptr<const RayDisplay> display,
+                         const std::vector<ObserverPosition>& observers, const RayRendering& rendering) {
+  PLENOLAB_CHECK(display->in_columns(), "a display in columns");
+  const PointColumns points(*display, display->resolution().width);
+  std::set<std::pair<int, int>> reaching;
+  std::vector<PointColumns::Column> columns;
+  std::vector<float> weights;
+  for (const ObserverPosition& observer : observers)
+    for (int a = 0; a < points.width(); ++a) {
+      points.reaching(a, observer, columns, weights);
+      for (const PointColumns::Column& column : columns) reaching.insert({column.image, column.u});
+    }
+  const LitRays lit(scene);
+  const Stopwatch watch;
+  SceneRays rays = render_columns(lit, *display, {reaching.begin(), reaching.end()}, rendering);
+  return shown(lit, std::move(display), std::move(rays), watch.seconds(), rendering.threads);
 }
 
 ShownField show_rays(std::string name, std::shared_ptr<const RayDisplay> display, SceneRays rays,
@@ -47,13 +75,13 @@ ReferencePictures reference_pictures(const ShownField& field, ObserverPosition o
                                      const RayReinhardOptions& reinhard, const LogAverageOptions& average,
                                      const RayRendering& rendering) {
   ReferencePictures pictures;
-  const SceneImage seen = perceive(*field.display, field.rays, observer, size, rendering.threads).image;
-  pictures.ln_result = log_average(seen, average);
-  pictures.on_result = map_picture(seen, pictures.ln_result, reinhard, rendering.threads).light;
+  pictures.result = perceive(*field.display, field.rays, observer, size, rendering.threads).image;
+  pictures.ln_result = log_average(pictures.result, average);
+  pictures.on_result = map_picture(pictures.result, pictures.ln_result, reinhard, rendering.threads).light;
   if (!field.scene) return pictures;
-  const SceneImage truth = render_pinhole(*field.scene, field.display->space(), observer, size, rendering);
-  pictures.ln_truth = log_average(truth, average);
-  pictures.ground_truth = map_picture(truth, pictures.ln_truth, reinhard, rendering.threads).light;
+  pictures.truth = render_pinhole(*field.scene, field.display->space(), observer, size, rendering);
+  pictures.ln_truth = log_average(pictures.truth, average);
+  pictures.ground_truth = map_picture(pictures.truth, pictures.ln_truth, reinhard, rendering.threads).light;
   return pictures;
 }
 

@@ -28,6 +28,10 @@ struct ShownField {
 /// A scene of display_scenes(), rendered for a display.
 ShownField show_scene(const LitScene& scene, std::shared_ptr<const RayDisplay> display,
                       const RayRendering& rendering = {});
+/// The same, but only the columns of rays that reach one of the observers are rendered, the others stay
+/// black: for looking at large displays. For displays in columns.
+ShownField show_scene_to(const LitScene& scene, std::shared_ptr<const RayDisplay> display,
+                         const std::vector<ObserverPosition>& observers, const RayRendering& rendering = {});
 /// Rays from elsewhere; repairs them.
 ShownField show_rays(std::string name, std::shared_ptr<const RayDisplay> display, SceneRays rays,
                      int threads = 0);
@@ -48,15 +52,14 @@ struct TimedEstimate {
 TimedEstimate timed_estimate(const ShownField& field, const ObserverSamples& samples,
                              const LuminanceOptions& options);
 
-/// What an observer sees of the tone mapped display, and of the two references (section 7.2), each with the
-/// operator applied to the whole picture.
+/// The two references of section 7.2 for an observer: HDR pictures, and the operator applied to each as a whole.
 struct ReferencePictures {
   /// The pinhole picture of the scene itself; empty where there is no scene.
-  DisplayLightImage ground_truth;
-  /// The perceived HDR picture of the display.
-  DisplayLightImage on_result;
-  /// ln L̄ of these pictures, as far as it is defined.
-  std::optional<double> ln_truth, ln_result;
+  SceneImage truth;
+  /// The perceived picture of the display.
+  SceneImage result;
+  DisplayLightImage ground_truth, on_result;
+  std::optional<double> ln_truth, ln_result;  ///< ln L̄ of these pictures, as far as it is defined
 };
 ReferencePictures reference_pictures(const ShownField& field, ObserverPosition observer, PinholeSize size,
                                      const RayReinhardOptions& reinhard, const LogAverageOptions& average,

@@ -48,19 +48,27 @@ void require_samples(int samples_across) {
 
 }  // namespace
 
-SceneRays render_rays(const LitRays& scene, const RayDisplay& display, const RayRendering& rendering) {
+SceneRays render_columns(const LitRays& scene, const RayDisplay& display,
+                         const std::vector<std::pair<int, int>>& columns, const RayRendering& rendering) {
   require_samples(rendering.samples_across);
   const PixelRenderer renderer(scene, display.space(), display.resolution(), rendering.samples_across);
-  const RayCount size = display.size();
-  SceneRays rays(size);
-  parallel_for(size.images * size.width, 8, rendering.threads, [&](int begin, int end) {
+  SceneRays rays(display.size());
+  parallel_for(static_cast<int>(columns.size()), 8, rendering.threads, [&](int begin, int end) {
     for (int c = begin; c < end; ++c)
-      for (int v = 0; v < size.height; ++v) {
-        const Ray ray{c / size.width, c % size.width, v};
+      for (int v = 0; v < display.size().height; ++v) {
+        const auto& column = columns[static_cast<std::size_t>(c)];
+        const Ray ray{column.first, column.second, v};
         rays.at(ray) = renderer.pixel(display.screen_point(ray), display.position(ray));
       }
   });
   return rays;
+}
+
+SceneRays render_rays(const LitRays& scene, const RayDisplay& display, const RayRendering& rendering) {
+  std::vector<std::pair<int, int>> all;
+  for (int image = 0; image < display.size().images; ++image)
+    for (int u = 0; u < display.size().width; ++u) all.emplace_back(image, u);
+  return render_columns(scene, display, all, rendering);
 }
 
 SceneImage render_pinhole(const LitRays& scene, const DisplaySpace& space, ObserverPosition observer,

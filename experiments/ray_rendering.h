@@ -1,5 +1,8 @@
 #pragma once
 
+#include <utility>
+#include <vector>
+
 #include "core/luminance/ray_images.h"
 #include "stimuli/direct/lit_scene.h"
 
@@ -16,6 +19,10 @@ struct RayRendering {
 /// place on the screen. That also fixes the vertical parallax of displays that have none: right at the
 /// observers' distance.
 SceneRays render_rays(const LitRays& scene, const RayDisplay& display, const RayRendering& rendering = {});
+
+/// Only the columns named as (image, u); the others stay black.
+SceneRays render_columns(const LitRays& scene, const RayDisplay& display,
+                         const std::vector<std::pair<int, int>>& columns, const RayRendering& rendering = {});
 
 /// What a pinhole camera at the observer position would record of the scene itself, framed by the screen: the
 /// ground truth of what the display shows there.

@@ -72,6 +72,7 @@ const std::vector<LedgerPart>& ledger_parts() {
       {"View synthesis: Altmeier, sections 3, 4 and 6.1", {"A-G", "A-A"}},
       {"Tone mapping: Altmeier, sections 2.1, 5, 6.2, 6.3 and 7", {"A-T", "A-S"}},
       {"Near-eye light-field display and its study: Hansen & Klein, with Kraus", {"H-"}},
+      {"Luminance on a projector display: Doronin & Barsi", {"D-"}},
   };
   return parts;
 }
