@@ -17,6 +17,7 @@
 #include "experiments/cli/output.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/wide_table.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;

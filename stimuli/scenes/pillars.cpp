@@ -27,15 +27,18 @@ ColourTexture ringed(Rgb light, Rgb dark, float ring_m, std::uint32_t seed) {
   };
 }
 
-/// Square tiles that are no finer than what is seen of them.
+/// Square tiles that fade with distance, before they become finer than the pixels that show them at a grazing
+/// angle.
 ColourTexture tiles() {
   return [](const SurfacePoint& point) {
     const Vec3& p = point.position_m;
     const int across = static_cast<int>(std::floor(p.x() / 0.12f)),
               along = static_cast<int>(std::floor(p.y() / 0.12f));
     const float tone = cell_random(across, along, 0, 31);
+    const Rgb mean{0.36f, 0.33f, 0.30f};
     const Rgb colour = (across + along) % 2 == 0 ? Rgb{0.46f, 0.42f, 0.36f} : Rgb{0.26f, 0.24f, 0.24f};
-    return colour * (0.75f + 0.4f * tone);
+    const float fade = smooth_step(0.3f, 1.2f, p.head<2>().norm());
+    return mix(colour * (0.75f + 0.4f * tone), mean, fade);
   };
 }
 

@@ -34,8 +34,8 @@ LitScene build_sphere() {
       "A sphere in the void lit by 1000 cd from the right and 1 cd from the middle and the left: its "
       "luminance changes "
       "drastically along the observer line.";
-  result.points = {{.position_m = {-1.2f, -0.5f, 0.4f}, .intensity_cd = {1, 1, 1}},
-                   {.position_m = {0, -1.0f, 0.8f}, .intensity_cd = {1, 1, 1}},
+  result.points = {{.position_m = {-1.2f, -0.6f, 0.15f}, .intensity_cd = {1, 1, 1}},
+                   {.position_m = {0, -1.2f, 0.1f}, .intensity_cd = {1, 1, 1}},
                    {.position_m = {1.2f, 0.5f, 0.4f}, .intensity_cd = {1000, 1000, 1000}}};
   return result;
 }

@@ -123,7 +123,7 @@ ReproductionResult reproduce_claim_d3(Laboratory& laboratory) {
       append(noticeable, above(gain, kNoticeable_db));
       largest = std::max(largest, *std::max_element(gain.begin(), gain.end()));
       const double share = mean(above(gain, kNoticeable_db)),
-                   converse = mean(above(minus({gain.size(), 0.0}, gain), kNoticeable_db));
+                   converse = mean(above(minus(std::vector<double>(gain.size()), gain), kNoticeable_db));
       const Columns columns{{"scene", id}, {"reference", std::string(reference_name(ground_truth))}};
       result.rows.add({"share_brute_force_noticeably_better", share, "1", columns});
       result.rows.add({"share_accumulative_noticeably_better", converse, "1", columns});

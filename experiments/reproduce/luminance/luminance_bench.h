@@ -3,8 +3,11 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
+#include "core/luminance/projector_display.h"
 #include "experiments/luminance_field.h"
 #include "experiments/reproduce/laboratory.h"
 

@@ -6,6 +6,7 @@
 #include "experiments/reproduce/claims/geometry_measure.h"
 #include "experiments/reproduce/luminance/luminance_bench.h"
 #include "experiments/reproduce/reproduction.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 
