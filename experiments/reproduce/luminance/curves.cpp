@@ -58,6 +58,11 @@ std::string curve_sentence(LuminanceBench& bench, const std::string& id, Reprodu
   return text + " cd/m².";
 }
 
+void add_sentence(std::string& text, const std::string& sentence) {
+  if (!text.empty()) text += ' ';
+  text += sentence;
+}
+
 std::vector<double> finite(std::vector<double> values) {
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
   return values;
@@ -118,7 +123,7 @@ ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
       "Accumulative with more "
       "restlessness and larger amplitude. The figure does not name its scene.";
   for (const std::string& id : bench.scene_ids()) {
-    result.ours_shows += (result.ours_shows.empty() ? "" : " ") + curve_sentence(bench, id, result);
+    add_sentence(result.ours_shows, curve_sentence(bench, id, result));
     result.add_plot("luminance-" + id, estimate_plot(bench, id));
   }
   double apart = 0;
@@ -147,7 +152,7 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory) {
       "certain areas "
       "Accumulative is noticeably worse than BruteForce.";
   for (const std::string& id : bench.scene_ids()) {
-    result.ours_shows += (result.ours_shows.empty() ? "" : " ") + psnr_sentence(bench, id, result);
+    add_sentence(result.ours_shows, psnr_sentence(bench, id, result));
     for (const bool ground_truth : {true, false})
       result.add_plot(fmt::format("psnr-{}-{}", id, ground_truth ? "ground-truth" : "on-result"),
                       psnr_plot(bench, id, ground_truth));
