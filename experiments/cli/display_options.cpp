@@ -76,7 +76,7 @@ void add_display_options(CLI::App& app, DisplayOptions& options) {
       ->check(one_of({"quick", "small", "full", "paper"}))
       ->capture_default_str();
   app.add_option("--samples", options.samples,
-                 "Samples along the observers' line (default: 1000 for projectors, 200 with --preset quick)")
+                 "Samples along the observers' line (default for projectors: 200, for full and paper 1000)")
       ->check(whole_number(1, 1'000'000));
 }
 
@@ -93,7 +93,8 @@ ObserverSamples observer_samples(const RayDisplay& display, const DisplayOptions
   if (options.samples > 0) return samples_of(display, options.samples);
   if (dynamic_cast<const LensArrayDisplay*>(&display)) return samples_of(display, kPixelsPerLens);
   if (dynamic_cast<const MultiViewDisplay*>(&display)) return samples_of(display, display.size().images);
-  return samples_of(display, options.preset == "quick" ? 200 : 1000);
+  // About 50 columns of rays a sample: fewer make accumulation noisy.
+  return samples_of(display, display.size().width < 400 ? 200 : 1000);
 }
 
 void require_field_source(const std::string& source, const DisplayOptions& options) {

@@ -24,8 +24,8 @@ void add_display_options(CLI::App& app, DisplayOptions& options);
 
 std::shared_ptr<const RayDisplay> make_display(const DisplayOptions& options);
 
-/// Samples asked for, or: 1000 for projectors (the paper's; 200 for the quick preset), for other displays one
-/// for each position that its pixels have.
+/// Samples asked for, or: for projectors 1000 (the paper's) where images have 400 columns or more, else 200;
+/// for other displays one for each position that its pixels have.
 ObserverSamples observer_samples(const RayDisplay& display, const DisplayOptions& options);
 
 /// Throws UsageError unless the source is a scene for displays or a folder: before anything is computed.

@@ -101,7 +101,7 @@ ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
                     {"scene", "estimate", "total variation", "range"},
                     {},
                     3};
-  double least = 1e9;
+  double variation = 1e9, range = 1e9;
   std::string by_scene;
   for (const std::string& id : bench.scene_ids())
     for (const LuminanceOptions& options : {bench.method_options(LuminanceMethod::kAccumulative), smoothed,
@@ -112,27 +112,36 @@ ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
       result.rows.add({"total_variation_over_brute_force", ratios.variation, "1", columns});
       result.rows.add({"range_over_brute_force", ratios.range, "1", columns});
       if (options.method != LuminanceMethod::kAccumulative || options.smoothed) continue;
-      least = std::min({least, ratios.variation, ratios.range});
-      by_scene +=
-          fmt::format("{}{} has {:.2f} times the total variation and {:.2f} times the range of BruteForce",
-                      by_scene.empty() ? "" : "; ", bench.title(id), ratios.variation, ratios.range);
+      variation = std::min(variation, ratios.variation);
+      range = std::min(range, ratios.range);
+      by_scene += fmt::format("{}in {} {:.2f} times the total variation and {:.2f} times the range",
+                              by_scene.empty() ? "" : ", ", bench.title(id), ratios.variation, ratios.range);
     }
-  Verdict verdict = decide_claim({least, least, least}, Comparison::kAbove, 1, "least_ratio_to_brute_force",
-                                 "1", "none: both curves are computed, not sampled");
+  constexpr const char* kComputed = "none: both curves are computed, not sampled";
+  Verdict restless = decide_claim({variation, variation, variation}, Comparison::kAbove, 1,
+                                  "total_variation_over_brute_force", "1", kComputed);
+  Verdict wider =
+      decide_claim({range, range, range}, Comparison::kAbove, 1, "range_over_brute_force", "1", kComputed);
   result.paper_shows =
       "Section 7.1: Accumulative follows small moves of the observer more strongly and seems to have the "
       "larger amplitude.";
-  result.ours_shows = fmt::format("Accumulative: {}.", by_scene);
+  result.ours_shows = fmt::format("ln L̄ of Accumulative over BruteForce: {}.", by_scene);
   result.differs = fmt::format(
-      "{} BruteForce averages over the width of the diffuser, Accumulative over the rays nearest to one "
-      "sample.",
-      outcome_text(verdict.outcome));
+      "More restless in both scenes: {}. Larger amplitude in both: {}. BruteForce averages over the width of "
+      "the diffuser, "
+      "Accumulative over the rays nearest to one sample; but where the display blurs a bright place over "
+      "dark ones, the "
+      "perceived picture, and with it BruteForce, is brighter than any ray's neighbourhood.",
+      outcome_name(restless.outcome), outcome_name(wider.outcome));
   result.add_table(std::move(table));
+  const std::string where = display_paper("section 7.1");
   conclude_on(
       result, bench.scene_ids(),
-      {"D-2", display_paper("section 7.1"),
-       "Accumulation follows small moves more strongly than brute force and has the larger amplitude."},
-      std::move(verdict), result.ours_shows);
+      {"D-2a", where, "Accumulation follows small moves of the observer more strongly than brute force."},
+      std::move(restless), result.ours_shows + " The smaller of the scenes' values counts.");
+  conclude_on(result, bench.scene_ids(),
+              {"D-2b", where, "Accumulation has the larger amplitude over the line."}, std::move(wider),
+              result.ours_shows + " The smaller of the scenes' values counts.");
   return result;
 }
 

@@ -58,6 +58,27 @@ std::string curve_sentence(LuminanceBench& bench, const std::string& id, Reprodu
   return text + " cd/m².";
 }
 
+double rms(const std::vector<double>& values) {
+  double squares = 0;
+  for (const double v : values) squares += v * v;
+  return std::sqrt(squares / static_cast<double>(values.size()));
+}
+
+/// RMS distance in ln from the log average of the true pictures, by method.
+std::string truth_sentence(LuminanceBench& bench, const std::string& id, ReproductionResult& result) {
+  std::string text = bench.title(id);
+  const auto& errors = bench.scores(id).ln_error;
+  for (std::size_t m = 0; m < errors.size(); ++m) {
+    const double error = rms(errors[m]);
+    result.rows.add({"ln_rms_to_truth",
+                     error,
+                     "1",
+                     {{"scene", id}, {"method", std::string(name_of(bench.methods()[m]))}}});
+    text += fmt::format("{} {} {:.3f}", m == 0 ? ":" : ",", paper_name(bench.methods()[m]), error);
+  }
+  return text;
+}
+
 void add_sentence(std::string& text, const std::string& sentence) {
   if (!text.empty()) text += ' ';
   text += sentence;
@@ -134,6 +155,11 @@ ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
     for (std::size_t i = 0; i < std::min(brute.size(), accumulated.size()); ++i)
       apart = std::max(apart, std::abs(brute[i] - accumulated[i]));
   }
+  std::string to_truth;
+  for (const std::string& id : bench.scene_ids())
+    to_truth += fmt::format("{}{}", to_truth.empty() ? "" : "; ", truth_sentence(bench, id, result));
+  add_sentence(result.ours_shows,
+               fmt::format("RMS distance in ln from the log average of the true picture: {}.", to_truth));
   result.differs = fmt::format(
       "The scenes are our own, built to the paper's words; so are the projectors and the diffuser, of which "
       "it says "

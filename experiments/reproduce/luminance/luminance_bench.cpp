@@ -53,7 +53,8 @@ const ShownField& LuminanceBench::field(const std::string& id, int projectors) {
 }
 
 ObserverSamples LuminanceBench::samples() {
-  return samples_of(ProjectorDisplay(display_options()), options_.effort == Effort::kTiny ? 50 : 1000);
+  const int count = options_.effort == Effort::kTiny ? 50 : options_.effort == Effort::kQuick ? 200 : 1000;
+  return samples_of(ProjectorDisplay(display_options()), count);
 }
 
 const GlobalLuminance& LuminanceBench::estimate(const std::string& id, const LuminanceOptions& options,
@@ -108,7 +109,7 @@ std::vector<LuminanceBench::ShownView> LuminanceBench::show(const std::string& i
   std::vector<ObserverPosition> observers;
   for (const ShownView& view : views) observers.push_back({view.x_m, 0});
   ProjectorDisplayOptions options = display_options();
-  if (options_.effort == Effort::kQuick) options.width = 480, options.height = 270;
+  if (options_.effort == Effort::kQuick) options.width = 400, options.height = 225;
   const ShownField large = show_scene_to(
       build_display_scene(id), std::make_shared<const ProjectorDisplay>(options), observers, rendering());
   const RayDisplay& display = *large.display;

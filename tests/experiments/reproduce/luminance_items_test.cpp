@@ -51,7 +51,7 @@ TEST(LuminanceItems, EveryClaimOfThePaperHasAVerdict) {
       ids.push_back(claim.claim.id);
       EXPECT_FALSE(claim.verdict.explanation.empty()) << claim.claim.id;
     }
-  EXPECT_EQ(ids, (std::vector<std::string>{"D-1", "D-2", "D-3", "D-4a", "D-4b", "D-5", "D-6", "D-7a", "D-7b",
+  EXPECT_EQ(ids, (std::vector<std::string>{"D-1", "D-2a", "D-2b", "D-3", "D-4a", "D-4b", "D-5", "D-6", "D-7a", "D-7b",
                                            "D-7c"}));
 }
 
@@ -75,7 +75,7 @@ TEST(LuminanceItems, DetailIsKeptBestAtTheScreen) {
   const ReproductionResult& result = result_of("doronin-claim-d6");
   double at_screen = 0, far = 0;
   for (const ResultRow& row : result.rows.rows())
-    if (row.quantity == "correlation") {
+    if (row.quantity == "detail_kept") {
       const double depth = std::get<double>(row.columns[0].second);
       if (depth == 0) at_screen += row.value;
       if (depth > 3) far += row.value;
