@@ -190,7 +190,10 @@ const std::vector<SweepMethod>& methods() {
         {"seconds_median", "seconds"},
         {"memory_peak_mib", "peak [MiB]"},
         {"on_pareto_front", "Pareto front"}}},
-      {"luminance", run_luminance_sweep, {"scene", "method", "pinhole", "samples"}, tone_columns({})},
+      {"luminance",
+       run_luminance_sweep,
+       {"scene", "method", "pinhole", "samples"},
+       tone_columns({{"rms_error_to_scene", "to the scene"}})},
   };
   return table;
 }

@@ -11,7 +11,7 @@ namespace plenolab {
 
 namespace {
 
-constexpr int kReferenceSamples = 10'000;
+constexpr int kReferenceSamples = 10'000, kTruePictures = 25;
 
 std::vector<LuminanceOptions> all_methods(const ShownField& field) {
   std::vector<LuminanceOptions> methods;
@@ -22,6 +22,35 @@ std::vector<LuminanceOptions> all_methods(const ShownField& field) {
   methods.push_back({.method = LuminanceMethod::kSpread});
   methods.push_back({.method = LuminanceMethod::kSpread, .normalised_spread = false});
   return methods;
+}
+
+/// ln L̄ of the scene itself along the line.
+struct Truth {
+  std::vector<double> x_m, ln_luminance;
+};
+
+Truth truth_of(const ShownField& field, int threads) {
+  Truth truth;
+  if (!field.scene) return truth;
+  const ObserverSamples positions = samples_of(*field.display, kTruePictures, 1);
+  for (int i = 0; i < positions.size(); ++i) {
+    const SceneImage picture = render_pinhole(*field.scene, field.display->space(), positions.position(i),
+                                              field.display->resolution(), {.threads = threads});
+    if (const auto ln = log_average(picture)) {
+      truth.x_m.push_back(positions.position(i).x_m);
+      truth.ln_luminance.push_back(*ln);
+    }
+  }
+  return truth;
+}
+
+double rms_error_to(const Truth& truth, const GlobalLuminance& estimate) {
+  double squares = 0;
+  for (std::size_t i = 0; i < truth.x_m.size(); ++i) {
+    const double d = *estimate.ln_at({truth.x_m[i], 0}) - truth.ln_luminance[i];
+    squares += d * d;
+  }
+  return std::sqrt(squares / static_cast<double>(truth.x_m.size()));
 }
 
 struct Errors {
@@ -42,7 +71,7 @@ Errors errors_of(const GlobalLuminance& estimate, const GlobalLuminance& referen
 }
 
 SweepOutcome outcome_of(const ShownField& field, const LuminanceOptions& options, int samples,
-                        const GlobalLuminance& reference, int runs) {
+                        const GlobalLuminance& reference, const Truth& truth, int runs) {
   const bool pictures = options.method == LuminanceMethod::kBruteForce;
   SweepOutcome outcome{
       .setting = {
@@ -61,6 +90,8 @@ SweepOutcome outcome_of(const ShownField& field, const LuminanceOptions& options
   outcome.values = {{"rms_error", errors.rms, "1"},
                     {"max_error", errors.largest, "1"},
                     {"undefined_samples", static_cast<double>(estimate.undefined()), "samples"}};
+  if (!truth.x_m.empty())
+    outcome.values.push_back({"rms_error_to_scene", rms_error_to(truth, estimate), "1"});
   return outcome;
 }
 
@@ -75,12 +106,13 @@ ResultTable sweep_luminance(const ShownField& field, const SweepRun& run) {
   if (!reference.known())
     throw InputError(
         fmt::format("{}: no ray is above ε, so that there is no luminance to estimate", field.name));
+  const Truth truth = truth_of(field, run.threads);
   std::vector<SweepOutcome> outcomes;
   const std::vector<LuminanceOptions> methods = all_methods(field);
   for (LuminanceOptions method : methods) {
     method.threads = run.threads;
     for (const int samples : {10, 100, 1000, 10'000}) {
-      outcomes.push_back(outcome_of(field, method, samples, reference, run.runs));
+      outcomes.push_back(outcome_of(field, method, samples, reference, truth, run.runs));
       if (run.progress)
         run.progress(static_cast<double>(outcomes.size()) / (4.0 * static_cast<double>(methods.size())));
     }

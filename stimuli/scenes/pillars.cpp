@@ -1,7 +1,7 @@
 // Pillars (Doronin & Barsi, section 7.1): rows of pillars before, at and behind the screen, three directional
 // lights from behind, so that the sides one sees lie in shade and the shadows come towards the observer, and
-// surroundings that shine themselves: an evening sky with a glow near the sun of 20000 cd/m² and a dark front
-// of cloud.
+// surroundings that shine themselves: an evening sky with a glow of 14000 cd/m² behind the middle and a dark
+// front of cloud on the left.
 
 #include <array>
 #include <cmath>
@@ -67,9 +67,9 @@ void add_row(SceneAssembler& scene, const Row& row, std::uint32_t number) {
   }
 }
 
-/// Evening sky: brighter towards a glow on the right, darkened by cloud on the left.
+/// Evening sky: brighter towards a glow near the middle, darkened by cloud on the left.
 Rgb evening(const Vec3& direction) {
-  const Vec3 sun = Vec3(0.45f, 0.88f, 0.14f).normalized();
+  const Vec3 sun = Vec3(0.12f, 0.99f, 0.06f).normalized();
   const float height = std::max(0.0f, direction.z());
   const float azimuth = std::atan2(direction.x(), direction.y());
   const Rgb sky = mix({900, 620, 420}, {160, 210, 330}, std::min(1.0f, 2.5f * height));
@@ -91,8 +91,8 @@ LitScene build_pillars() {
   result.scene.title = "Pillars";
   result.scene.description =
       "Pillars before, at and behind the screen, lit from behind by three directional lights, before an "
-      "evening sky of 20 "
-      "to 20000 cd/m²: a typical HDR scene.";
+      "evening "
+      "sky with a glow of 14000 cd/m²: a typical HDR scene.";
   result.scene.sky = {
       .kind = Sky::Kind::kUniform, .zenith_cd_m2 = {120, 140, 180}, .ground_cd_m2 = {60, 50, 40}};
   result.directions = {

@@ -94,19 +94,18 @@ TEST(DisplayScenes, SphereIsAThousandTimesBrighterOnItsRightSide) {
   EXPECT_EQ(luminance(sphere.radiance({0, -2, 0}, Vec3(0.2f, 1, 0).normalized())), 0) << "in the void";
 }
 
-TEST(DisplayScenes, PillarsSpanThreeOrdersOfMagnitude) {
+TEST(DisplayScenes, PillarsSpanThreeOrdersOfMagnitudeFromTheCentre) {
   const LitRays pillars(build_display_scene("pillars"));
   float low = 1e9f, high = 0;
-  for (int i = 0; i < 400; ++i)
-    for (const float x : {-4.0f, 0.0f, 4.0f}) {
-      const Vec3 eye(x, -2, 0);
-      const Vec3 point(0.6f * (static_cast<float>(i % 20) / 19 - 0.5f), 0,
-                       0.3f * (static_cast<float>(i / 20) / 19 - 0.5f));
-      const float l = luminance(pillars.radiance(eye, (point - eye).normalized()));
-      low = std::min(low, l), high = std::max(high, l);
-    }
+  for (int i = 0; i < 400; ++i) {
+    const Vec3 eye(0, -2, 0);
+    const Vec3 point(0.6f * (static_cast<float>(i % 20) / 19 - 0.5f), 0,
+                     0.3f * (static_cast<float>(i / 20) / 19 - 0.5f));
+    const float l = luminance(pillars.radiance(eye, (point - eye).normalized()));
+    low = std::min(low, l), high = std::max(high, l);
+  }
   EXPECT_GT(low, 0);
-  EXPECT_GT(high, 300 * low);
+  EXPECT_GT(high, 1000 * low);
 }
 
 }  // namespace
