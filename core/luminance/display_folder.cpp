@@ -54,22 +54,48 @@ std::string image_name(int k) {
 
 }  // namespace
 
+DisplayDescription parse_display_description(std::string_view text, const std::string& name) {
+  const nlohmann::json json = parse_json(text, name, 4);
+  const JsonReader reader(json, name, "");
+  if (reader.text("format") != kFormat) reader.wrong("format", fmt::format("must be \"{}\"", kFormat));
+  reader.integer("version", 1, 1);
+  reader.allow_only({"format", "version", "screen", "observers", "projectors", "images"});
+  DisplayDescription description{display_of(reader), images_of(reader)};
+  description.display.projectors = static_cast<int>(description.images.size());
+  try {
+    description.display.validate();
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: {}", name, error.what()));
+  }
+  return description;
+}
+
+std::string format_display_description(const DisplayDescription& description) {
+  const ProjectorDisplayOptions& display = description.display;
+  const DisplaySpace& space = display.space;
+  const nlohmann::ordered_json json{
+      {"format", kFormat},
+      {"version", 1},
+      {"screen", {{"width_m", space.width_m}, {"height_m", space.height_m}}},
+      {"observers", {{"distance_m", space.observer_distance_m}, {"half_range_m", space.x_max_m}}},
+      {"projectors",
+       {{"distance_m", display.projector_distance_m},
+        {"layout", display.layout == ProjectorDisplayOptions::Layout::kArc ? "arc" : "line"}}},
+      {"images", description.images}};
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
 bool is_display_folder(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile);
 }
 
 DisplayFolder read_display_folder(const fs::path& folder) {
-  const std::string name = (folder / kFile).string();
-  const nlohmann::json json = parse_json(read_text_file(folder / kFile), name, 4);
-  const JsonReader reader(json, name, "");
-  if (reader.text("format") != kFormat) reader.wrong("format", fmt::format("must be \"{}\"", kFormat));
-  reader.integer("version", 1, 1);
-  reader.allow_only({"format", "version", "screen", "observers", "projectors", "images"});
-  DisplayFolder result{display_of(reader), {}};
-  const std::vector<std::string> names = images_of(reader);
-  result.display.projectors = static_cast<int>(names.size());
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    const SceneImage image = read_scene_image(folder / names[k]);
+  const DisplayDescription description =
+      parse_display_description(read_text_file(folder / kFile), (folder / kFile).string());
+  DisplayFolder result{description.display, {}};
+  for (std::size_t k = 0; k < description.images.size(); ++k) {
+    const fs::path file = folder / description.images[k];
+    const SceneImage image = read_scene_image(file);
     if (k == 0) {
       result.display.width = image.width();
       result.display.height = image.height();
@@ -77,31 +103,23 @@ DisplayFolder read_display_folder(const fs::path& folder) {
     }
     if (image.width() != result.display.width || image.height() != result.display.height)
       throw InputError(fmt::format("{} has {} × {} pixels, but the first projector's image {} × {}",
-                                   (folder / names[k]).string(), image.width(), image.height(),
-                                   result.display.width, result.display.height));
+                                   file.string(), image.width(), image.height(), result.display.width,
+                                   result.display.height));
     set_image(result.rays, static_cast<int>(k), image);
   }
   return result;
 }
 
 void write_display_folder(const fs::path& folder, const ProjectorDisplay& display, const SceneRays& rays) {
-  const ProjectorDisplayOptions& options = display.options();
-  const DisplaySpace& space = options.space;
+  const DisplaySpace& space = display.space();
   if (space.x_min_m != -space.x_max_m)
     throw InputError("a display folder can only say how far observers stand to both sides alike");
-  nlohmann::ordered_json json{
-      {"format", kFormat},
-      {"version", 1},
-      {"screen", {{"width_m", space.width_m}, {"height_m", space.height_m}}},
-      {"observers", {{"distance_m", space.observer_distance_m}, {"half_range_m", space.x_max_m}}},
-      {"projectors",
-       {{"distance_m", options.projector_distance_m},
-        {"layout", options.layout == ProjectorDisplayOptions::Layout::kArc ? "arc" : "line"}}}};
-  for (int k = 0; k < options.projectors; ++k) {
-    write_scene_image(folder / image_name(k), image_of(rays, k), 1.0);
-    json["images"].push_back(image_name(k));
+  DisplayDescription description{display.options(), {}};
+  for (int k = 0; k < display.options().projectors; ++k) {
+    description.images.push_back(image_name(k));
+    write_scene_image(folder / description.images.back(), image_of(rays, k), 1.0);
   }
-  write_text_file(folder / kFile, json.dump(2) + "\n");
+  write_text_file(folder / kFile, format_display_description(description));
 }
 
 }  // namespace plenolab

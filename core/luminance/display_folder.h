@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "core/luminance/projector_display.h"
 #include "core/luminance/ray_images.h"
@@ -20,6 +23,17 @@ namespace plenolab {
 /// ```
 /// `layout` is "line" or "arc" (projector_display.h); images stand from the leftmost projector as observers
 /// see it to the rightmost, all of one size (.exr .hdr .pfm).
+struct DisplayDescription {
+  ProjectorDisplayOptions display;  ///< but for the size of the images
+  std::vector<std::string> images;  ///< file names inside the folder
+};
+/// Parses display.json; `name` stands for the file in messages. Throws InputError with one sentence naming
+/// file and key for anything missing, of a wrong type, unknown or out of range.
+DisplayDescription parse_display_description(std::string_view json, const std::string& name);
+/// The text of display.json, ending in a newline.
+std::string format_display_description(const DisplayDescription& description);
+
+/// A display with the images of its folder.
 struct DisplayFolder {
   ProjectorDisplayOptions display;
   SceneRays rays;
