@@ -129,10 +129,12 @@ ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
   result.differs = fmt::format(
       "More restless in both scenes: {}. Larger amplitude in both: {}. BruteForce averages over the width of "
       "the diffuser, "
-      "Accumulative over the rays nearest to one sample; but where the display blurs a bright place over "
-      "dark ones, the "
-      "perceived picture, and with it BruteForce, is brighter than any ray's neighbourhood.",
-      outcome_name(restless.outcome), outcome_name(wider.outcome));
+      "Accumulative over the rays nearest to one sample.{}",
+      outcome_name(restless.outcome), outcome_name(wider.outcome),
+      range < 1 ? " But where the display blurs a bright place over dark ones, the perceived picture, and "
+                  "with it BruteForce, "
+                  "has a larger log average than the rays it is mixed from."
+                : "");
   result.add_table(std::move(table));
   const std::string where = display_paper("section 7.1");
   conclude_on(

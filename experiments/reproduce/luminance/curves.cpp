@@ -134,6 +134,17 @@ std::string psnr_sentence(LuminanceBench& bench, const std::string& id, Reproduc
   return text + ".";
 }
 
+/// Mean gain over Accumulative over the positions of all scenes, dB.
+double lead_of_brute_force(LuminanceBench& bench, bool ground_truth) {
+  std::vector<double> leads;
+  for (const std::string& id : bench.scene_ids()) {
+    const auto& db = scores_against(bench.scores(id), ground_truth);
+    const std::vector<double> lead = finite(minus(db[kOfBruteForce], db[kOfAccumulative]));
+    leads.insert(leads.end(), lead.begin(), lead.end());
+  }
+  return leads.empty() ? 0 : mean(leads);
+}
+
 }  // namespace
 
 ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
@@ -183,10 +194,16 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory) {
       result.add_plot(fmt::format("psnr-{}-{}", id, ground_truth ? "ground-truth" : "on-result"),
                       psnr_plot(bench, id, ground_truth));
   }
-  result.differs =
-      "The paper measures Pillars only. Against GroundTruth, what the display blurs away from its screen "
-      "limits every "
-      "method alike; against OnResult only the luminance counts, so that the methods lie farther apart.";
+  const double to_truth = lead_of_brute_force(bench, true), to_result = lead_of_brute_force(bench, false);
+  result.differs = fmt::format(
+      "The paper measures Pillars only. Over both scenes BruteForce is {:.2f} dB {} than Accumulative "
+      "against OnResult and "
+      "{:.2f} dB {} against GroundTruth.{}",
+      std::abs(to_result), to_result > 0 ? "better" : "worse", std::abs(to_truth),
+      to_truth > 0 ? "better" : "worse",
+      to_result > 0 && to_truth < 0
+          ? " Brute force estimates what the blurred display shows, accumulation what the scene would."
+          : "");
   return result;
 }
 

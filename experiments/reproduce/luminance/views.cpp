@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/statistics.h"
 #include "core/image/colour.h"
 #include "experiments/reproduce/figure_tools.h"
 #include "experiments/reproduce/luminance/luminance_tools.h"
@@ -25,6 +26,15 @@ double dynamic_range_log10(const std::vector<ShownView>& views) {
     for (const Rgb c : view.references.truth.pixels())
       if (const float l = luminance(c); l > 1e-4f) low = std::min(low, l), high = std::max(high, l);
   return high > 0 ? std::log10(static_cast<double>(high) / static_cast<double>(low)) : 0;
+}
+
+/// One exposure for all positions: the middle one of what they ask for, so that the brightest does not decide
+/// alone.
+float middle_exposure(const std::vector<ShownView>& views) {
+  std::vector<double> exposures;
+  for (const ShownView& view : views)
+    exposures.push_back(static_cast<double>(figure_exposure(view.references.truth)));
+  return static_cast<float>(median(exposures));
 }
 
 ImageComparison mapped_comparison(LuminanceBench& bench, const ShownView& view, const std::string& title) {
@@ -112,7 +122,7 @@ ReproductionResult reproduce_pillars_views(Laboratory& laboratory) {
   ReproductionResult result;
   LuminanceBench& bench = laboratory.luminance_bench();
   const std::vector<ShownView>& views = bench.shown_views("pillars");
-  const float exposure = figure_exposure(views[1].references.truth);
+  const float exposure = middle_exposure(views);
   std::string averages;
   for (const ShownView& view : views) {
     const ReferencePictures& pictures = view.references;
