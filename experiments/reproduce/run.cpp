@@ -172,7 +172,9 @@ Report assemble_report(const std::vector<FinishedReproduction>& finished, const 
   report.subtitle =
       "Views synthesised from sparse key views against ground truth, and the consistency of tone mapping "
       "within them and over time, after Altmeier 2018; a near-eye light-field display, its study and its "
-      "calibration, after Hansen & Klein 2016. Measured on procedural scenes.";
+      "calibration, after Hansen & Klein 2016; luminance on a projector display, after Doronin & Barsi 2018. "
+      "Measured on "
+      "procedural scenes.";
   std::vector<LedgerEntry> ledger;
   for (const FinishedReproduction& f : finished) {
     for (const KeyFigure& figure : f.result.key_figures) report.key_figures.push_back(figure);
