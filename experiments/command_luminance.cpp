@@ -266,8 +266,7 @@ void add_luminance_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<LuminanceCommandOptions>();
   app.add_option("source", options->source,
                  "Scene (pillars, sphere), folder with display.json and projector images in cd/m², or folder "
-                 "of a light "
-                 "field, the cameras of whose middle row become views")
+                 "of a light field, the cameras of whose middle row become views")
       ->required();
   add_method_options(app, *options);
   add_display_options(app, options->display);

@@ -71,8 +71,7 @@ void add_display_options(CLI::App& app, DisplayOptions& options) {
       ->capture_default_str();
   app.add_option("--preset", options.preset,
                  "Size of the display: quick (24 projectors, 160 x 90 px), small (96, 160 x 90), full (96, "
-                 "640 x 360), "
-                 "paper (96, 1280 x 720)")
+                 "640 x 360), paper (96, 1280 x 720)")
       ->check(one_of({"quick", "small", "full", "paper"}))
       ->capture_default_str();
   app.add_option("--samples", options.samples,

@@ -91,8 +91,7 @@ LitScene build_pillars() {
   result.scene.title = "Pillars";
   result.scene.description =
       "Pillars before, at and behind the screen, lit from behind by three directional lights, before an "
-      "evening "
-      "sky with a glow of 14000 cd/m²: a typical HDR scene.";
+      "evening sky with a glow of 14000 cd/m²: a typical HDR scene.";
   result.scene.sky = {
       .kind = Sky::Kind::kUniform, .zenith_cd_m2 = {120, 140, 180}, .ground_cd_m2 = {60, 50, 40}};
   result.directions = {

@@ -32,8 +32,7 @@ LitScene build_sphere() {
   result.scene.title = "Sphere";
   result.scene.description =
       "A sphere in the void lit by 1000 cd from the right and 1 cd from the middle and the left: its "
-      "luminance changes "
-      "drastically along the observer line.";
+      "luminance changes drastically along the observer line.";
   result.points = {{.position_m = {-1.2f, -0.6f, 0.15f}, .intensity_cd = {1, 1, 1}},
                    {.position_m = {0, -1.2f, 0.1f}, .intensity_cd = {1, 1, 1}},
                    {.position_m = {1.2f, 0.5f, 0.4f}, .intensity_cd = {1000, 1000, 1000}}};

@@ -160,20 +160,16 @@ ReproductionResult reproduce_claim_d6(Laboratory& laboratory) {
                                  uncertainty_over(ratio.size(), "observers"));
   result.paper_shows =
       "Section 7.4: the simulated display loses detail, noticeably for what is far from the screen; that "
-      "reflects real "
-      "displays.";
+      "reflects real displays.";
   result.ours_shows = fmt::format(
       "Of the contrast of a textured board the display keeps {:.2f} in its place at the screen; {:g} m or "
-      "more from the "
-      "screen it keeps {} of that.",
+      "more from the screen it keeps {} of that.",
       mean(at_screen), kFar_m, interval_text(kept));
   const double sharp = mean(away.sharpness);
   result.differs = fmt::format(
       "{} What is lost is not sharpness as such: differences between neighbouring pixels {} to {:.2f} times "
-      "the scene's there. "
-      "The diffuser is as narrow as the projectors are far apart and mixes two or three of them, so that "
-      "detail is doubled "
-      "and cut at the seams between projectors rather than smeared.",
+      "the scene's there. The diffuser is as narrow as the projectors are far apart and mixes two or three "
+      "of them, so that detail is doubled and cut at the seams between projectors rather than smeared.",
       outcome_text(verdict.outcome), sharp > 1 ? "even grow" : "fall", sharp);
   result.add_plot("detail-over-depth", depth_plot(all));
   conclude_on(

@@ -121,13 +121,7 @@ ReportPlot time_plot(const std::vector<Measured>& all, int projectors) {
           "BruteForce grows with the samples, Accumulative stays level."};
 }
 
-}  // namespace
-
-ReproductionResult reproduce_claim_d4(Laboratory& laboratory) {
-  ReproductionResult result;
-  LuminanceBench& bench = laboratory.luminance_bench();
-  const std::vector<Measured> all = measure_all(bench);
-  const int projectors = timed_display(bench, 1).projectors;
+void add_times(ReproductionResult& result, const std::vector<Measured>& all) {
   ReportTable table{"Time of an estimate from luminances to samples, median of three runs",
                     {"method", "projectors", "samples", "seconds", "fastest", "slowest"},
                     {},
@@ -140,6 +134,18 @@ ReproductionResult reproduce_claim_d4(Laboratory& laboratory) {
                      {"projectors", static_cast<long long>(m.projectors)},
                      {"samples", static_cast<long long>(m.samples)}});
   }
+  result.add_table(std::move(table));
+}
+
+}  // namespace
+
+ReproductionResult reproduce_claim_d4(Laboratory& laboratory) {
+  ReproductionResult result;
+  LuminanceBench& bench = laboratory.luminance_bench();
+  const std::vector<Measured> all = measure_all(bench);
+  const int projectors = timed_display(bench, 1).projectors;
+  result.add_plot("time-over-samples", time_plot(all, projectors));
+  add_times(result, all);
   const TimingSummary& accumulated = at(all, LuminanceMethod::kAccumulative, 1000, projectors).timing;
   const TimingSummary& brute = at(all, LuminanceMethod::kBruteForce, 1000, projectors).timing;
   const TimingSummary& spread = at(all, LuminanceMethod::kSpread, 1000, projectors).timing;
@@ -158,31 +164,24 @@ ReproductionResult reproduce_claim_d4(Laboratory& laboratory) {
       decide_claim(ratio, Comparison::kAbove, kFarMore, "brute_force_over_accumulative", "1", kExtremes);
   result.paper_shows =
       "Sections 5 and 8: accumulation is light-weight and runs in real time on a GPU; brute force forms an "
-      "image for each of "
-      "1000 samples. No times are printed.";
+      "image for each of 1000 samples. No times are printed.";
   const auto growth = [&](LuminanceMethod method, const TimingSummary& most) {
     return most.median_s / at(all, method, 100, projectors).timing.median_s;
   };
   result.ours_shows = fmt::format(
       "{} projectors of {} × {} px and 1000 samples on this CPU: Accumulative {:.3g} s, Spread {:.3g} s, "
-      "BruteForce {:.3g} s "
-      "with pinhole images of 256 × 144 px, {} times as long as Accumulative, and {:.1f} times with images "
-      "of the display's "
-      "own resolution. By the letter, every projector asked for every pixel, it takes {:.0f} times as long. "
-      "From 100 to 1000 "
-      "samples BruteForce takes {:.1f} times as long, Accumulative {:.1f} times.",
+      "BruteForce {:.3g} s with pinhole images of 256 × 144 px, {} times as long as Accumulative, and {:.1f} "
+      "times with images of the display's own resolution. By the letter, every projector asked for every "
+      "pixel, it takes {:.0f} times as long. From 100 to 1000 samples BruteForce takes {:.1f} times as long, "
+      "Accumulative {:.1f} times.",
       projectors, timed_display(bench, 1).width, timed_display(bench, 1).height, accumulated.median_s,
       spread.median_s, brute.median_s, interval_text(ratio), finest, literal,
       growth(LuminanceMethod::kBruteForce, brute), growth(LuminanceMethod::kAccumulative, accumulated));
   result.differs = fmt::format(
       "Real time (25 frames a second): {}. Brute force at least {:g} times as long: {}. Ours asks only the "
-      "projectors that "
-      "reach an observer and takes no logarithm of single pixels, which brings brute force near the reading "
-      "of all rays "
-      "that accumulation cannot do without.",
+      "projectors that reach an observer and takes no logarithm of single pixels, which brings brute force "
+      "near the reading of all rays that accumulation cannot do without.",
       outcome_name(real_time.outcome), kFarMore, outcome_name(far_more.outcome));
-  result.add_plot("time-over-samples", time_plot(all, projectors));
-  result.add_table(std::move(table));
   conclude_on(result, {}, {"D-4a", display_paper("section 8"), "Accumulation runs in real time."},
               std::move(real_time), result.ours_shows);
   conclude_on(result, {},

@@ -90,6 +90,45 @@ double gap_where_neighbours_agree(LuminanceBench& bench) {
   return gap_between(estimate(LuminanceMethod::kBruteForce), estimate(LuminanceMethod::kSpread)).largest;
 }
 
+void add_gaps(ReproductionResult& result, LuminanceBench& bench) {
+  ReportTable table{"Distance from BruteForce in ln L̄ over the line",
+                    {"scene", "projectors", "estimate", "RMS", "largest", "mean bias", "lowest"},
+                    {},
+                    3};
+  for (const std::string& id : bench.scene_ids())
+    for (const int projectors : projector_numbers(bench))
+      for (const LuminanceMethod method : {LuminanceMethod::kAccumulative, LuminanceMethod::kSpread}) {
+        const Gap gap = gap_to(bench, id, method, projectors);
+        table.rows.push_back({bench.title(id), static_cast<long long>(projectors), paper_name(method),
+                              gap.rms, gap.largest, gap.mean, gap.lowest});
+        const Columns columns{{"scene", id},
+                              {"projectors", static_cast<long long>(projectors)},
+                              {"method", std::string(name_of(method))}};
+        result.rows.add({"ln_rms_to_brute_force", gap.rms, "1", columns});
+        result.rows.add({"ln_largest_to_brute_force", gap.largest, "1", columns});
+        result.rows.add({"ln_bias_to_brute_force", gap.mean, "1", columns});
+      }
+  result.add_table(std::move(table));
+}
+
+/// How far Spread is from BruteForce on the display of this run, over all scenes.
+struct SpreadGap {
+  double largest = 0, lowest = 1e9;
+  double reduction = 0;  ///< RMS over that of Accumulative, the larger of the scenes'
+};
+SpreadGap spread_on_this_display(LuminanceBench& bench) {
+  SpreadGap summary;
+  const int projectors = bench.display_options().projectors;
+  for (const std::string& id : bench.scene_ids()) {
+    const Gap spread = gap_to(bench, id, LuminanceMethod::kSpread, projectors),
+              accumulated = gap_to(bench, id, LuminanceMethod::kAccumulative, projectors);
+    summary.largest = std::max(summary.largest, spread.largest);
+    summary.lowest = std::min(summary.lowest, spread.lowest);
+    summary.reduction = std::max(summary.reduction, spread.rms / std::max(1e-12, accumulated.rms));
+  }
+  return summary;
+}
+
 }  // namespace
 
 ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
@@ -128,12 +167,10 @@ ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
   result.ours_shows = fmt::format("ln L̄ of Accumulative over BruteForce: {}.", by_scene);
   result.differs = fmt::format(
       "More restless in both scenes: {}. Larger amplitude in both: {}. BruteForce averages over the width of "
-      "the diffuser, "
-      "Accumulative over the rays nearest to one sample.{}",
+      "the diffuser, Accumulative over the rays nearest to one sample.{}",
       outcome_name(restless.outcome), outcome_name(wider.outcome),
       range < 1 ? " But where the display blurs a bright place over dark ones, the perceived picture, and "
-                  "with it BruteForce, "
-                  "has a larger log average than the rays it is mixed from."
+                  "with it BruteForce, has a larger log average than the rays it is mixed from."
                 : "");
   result.add_table(std::move(table));
   const std::string where = display_paper("section 7.1");
@@ -150,32 +187,8 @@ ReproductionResult reproduce_claim_d2(Laboratory& laboratory) {
 ReproductionResult reproduce_claim_d5(Laboratory& laboratory) {
   ReproductionResult result;
   LuminanceBench& bench = laboratory.luminance_bench();
-  ReportTable table{"Distance from BruteForce in ln L̄ over the line",
-                    {"scene", "projectors", "estimate", "RMS", "largest", "mean bias", "lowest"},
-                    {},
-                    3};
-  double largest = 0, reduction = 0, lowest = 1e9;
-  for (const std::string& id : bench.scene_ids())
-    for (const int projectors : projector_numbers(bench)) {
-      for (const LuminanceMethod method : {LuminanceMethod::kAccumulative, LuminanceMethod::kSpread}) {
-        const Gap gap = gap_to(bench, id, method, projectors);
-        table.rows.push_back({bench.title(id), static_cast<long long>(projectors), paper_name(method),
-                              gap.rms, gap.largest, gap.mean, gap.lowest});
-        const Columns columns{{"scene", id},
-                              {"projectors", static_cast<long long>(projectors)},
-                              {"method", std::string(name_of(method))}};
-        result.rows.add({"ln_rms_to_brute_force", gap.rms, "1", columns});
-        result.rows.add({"ln_largest_to_brute_force", gap.largest, "1", columns});
-        result.rows.add({"ln_bias_to_brute_force", gap.mean, "1", columns});
-        if (projectors == bench.display_options().projectors && method == LuminanceMethod::kSpread)
-          largest = std::max(largest, gap.largest), lowest = std::min(lowest, gap.lowest);
-      }
-      if (projectors == bench.display_options().projectors)
-        reduction =
-            std::max(reduction,
-                     gap_to(bench, id, LuminanceMethod::kSpread, projectors).rms /
-                         std::max(1e-12, gap_to(bench, id, LuminanceMethod::kAccumulative, projectors).rms));
-    }
+  add_gaps(result, bench);
+  const auto [largest, lowest, reduction] = spread_on_this_display(bench);
   const double agreeing = gap_where_neighbours_agree(bench);
   result.rows.add({"ln_largest_where_neighbours_agree", agreeing, "1", {}});
   Verdict verdict =
@@ -183,28 +196,21 @@ ReproductionResult reproduce_claim_d5(Laboratory& laboratory) {
                    "1", "none: both curves are computed, not sampled");
   result.paper_shows =
       "Sections 5.3 and 8: rays that contribute to several samples would mitigate the difference; "
-      "accumulation can in theory "
-      "give the same result as BruteForce after the proper adjustment.";
+      "accumulation can in theory give the same result as BruteForce after the proper adjustment.";
   result.ours_shows = fmt::format(
       "With normalised weights of the diffuser, Spread is up to {:.3f} in ln ({:.1f} %) away from "
-      "BruteForce; its RMS "
-      "distance is {:.0f} % of Accumulative's or less. Where all projectors show the same picture the two "
-      "are equal, "
-      "within {:.1g}.",
+      "BruteForce; its RMS distance is {:.0f} % of Accumulative's or less. Where all projectors show the "
+      "same picture the two are equal, within {:.1g}.",
       largest, 100 * (std::exp(largest) - 1), 100 * reduction, agreeing);
   result.differs = fmt::format(
       "{} A perceived pixel is the logarithm of a mean of rays, an accumulated one the mean of their "
-      "logarithms, which is "
-      "never larger; the two agree only where neighbouring projectors do, which more projectors bring about. "
-      "{}",
+      "logarithms, which is never larger; the two agree only where neighbouring projectors do, which more "
+      "projectors bring about. {}",
       outcome_text(verdict.outcome),
-      lowest >= -1e-6
-          ? "BruteForce is nowhere below Spread here."
-          : fmt::format(
-                "BruteForce is below Spread by up to {:.3f} where black rays beside bright ones count in "
-                "neither sum but dim the perceived pixel.",
-                -lowest));
-  result.add_table(std::move(table));
+      lowest >= -1e-6 ? "BruteForce is nowhere below Spread here."
+                      : fmt::format("BruteForce is below Spread by up to {:.3f} where black rays beside "
+                                    "bright ones count in neither sum but dim the perceived pixel.",
+                                    -lowest));
   result.add_plot("distance-over-projectors", gap_plot(bench));
   conclude_on(
       result, bench.scene_ids(),

@@ -140,8 +140,7 @@ ReproductionResult reproduce_claim_d3(Laboratory& laboratory) {
                                  uncertainty_over(noticeable.size(), "positions", kPositionsTogether));
   result.paper_shows =
       "Section 7.3: BruteForce and Accumulative perform alike most of the time; in certain areas "
-      "Accumulative is noticeably "
-      "worse.";
+      "Accumulative is noticeably worse.";
   result.ours_shows = fmt::format(
       "BruteForce is better by more than {:g} dB at {} of the positions, by {:.1f} dB at most: {}.",
       kNoticeable_db, interval_text(share), largest, by_scene);
@@ -178,17 +177,14 @@ ReproductionResult reproduce_claim_d7(Laboratory& laboratory) {
       decide_claim(better, Comparison::kAbove, 0, "pillars_accumulative_gain_db", "dB", uncertainty);
   result.paper_shows =
       "Section 7.4: in Sphere All is significantly worse, BruteForce and Accumulative almost identical; in "
-      "Pillars "
-      "Accumulative is even slightly better than BruteForce, by eye.";
+      "Pillars Accumulative is even slightly better than BruteForce, by eye.";
   result.ours_shows = fmt::format(
       "Against GroundTruth, the worse of the two methods gains {} dB over All in Sphere, where they are {} "
-      "dB apart; in "
-      "Pillars Accumulative gains {} dB over BruteForce.",
+      "dB apart; in Pillars Accumulative gains {} dB over BruteForce.",
       interval_text(clear), interval_text(alike), interval_text(better));
   result.differs = fmt::format(
       "All worst in Sphere (by more than {:g} dB): {}. Both alike in Sphere (within {:g} dB): {}. "
-      "Accumulative better in "
-      "Pillars: {}. The paper judged by eye; the thresholds are ours.",
+      "Accumulative better in Pillars: {}. The paper judged by eye; the thresholds are ours.",
       kClear_db, outcome_name(worst.outcome), kNoticeable_db, outcome_name(same.outcome),
       outcome_name(slightly.outcome));
   result.add_plot("sphere-gain-over-all", {gain_plot(bench, "sphere", kOfBruteForce, kOfAll),

@@ -152,8 +152,7 @@ ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
   LuminanceBench& bench = laboratory.luminance_bench();
   result.paper_shows =
       "Figure 3: All is a level line; BruteForce and Accumulative follow each other over the line, "
-      "Accumulative with more "
-      "restlessness and larger amplitude. The figure does not name its scene.";
+      "Accumulative with more restlessness and larger amplitude. The figure does not name its scene.";
   for (const std::string& id : bench.scene_ids()) {
     add_sentence(result.ours_shows, curve_sentence(bench, id, result));
     result.add_plot("luminance-" + id, estimate_plot(bench, id));
@@ -173,10 +172,8 @@ ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
                fmt::format("RMS distance in ln from the log average of the true picture: {}.", to_truth));
   result.differs = fmt::format(
       "The scenes are our own, built to the paper's words; so are the projectors and the diffuser, of which "
-      "it says "
-      "nothing. BruteForce and Accumulative are at most {:.2f} apart in ln, a factor of {:.2f}. Spread is "
-      "what the paper "
-      "suggests and did not build.",
+      "it says nothing. BruteForce and Accumulative are at most {:.2f} apart in ln, a factor of {:.2f}. "
+      "Spread is what the paper suggests and did not build.",
       apart, std::exp(apart));
   return result;
 }
@@ -186,8 +183,7 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory) {
   LuminanceBench& bench = laboratory.luminance_bench();
   result.paper_shows =
       "Figure 4, scene Pillars: BruteForce and Accumulative lie close to each other and mostly above All; in "
-      "certain areas "
-      "Accumulative is noticeably worse than BruteForce.";
+      "certain areas Accumulative is noticeably worse than BruteForce.";
   for (const std::string& id : bench.scene_ids()) {
     add_sentence(result.ours_shows, psnr_sentence(bench, id, result));
     for (const bool ground_truth : {true, false})
@@ -197,8 +193,7 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory) {
   const double to_truth = lead_of_brute_force(bench, true), to_result = lead_of_brute_force(bench, false);
   result.differs = fmt::format(
       "The paper measures Pillars only. Over both scenes BruteForce is {:.2f} dB {} than Accumulative "
-      "against OnResult and "
-      "{:.2f} dB {} against GroundTruth.{}",
+      "against OnResult and {:.2f} dB {} against GroundTruth.{}",
       std::abs(to_result), to_result > 0 ? "better" : "worse", std::abs(to_truth),
       to_truth > 0 ? "better" : "worse",
       to_result > 0 && to_truth < 0

@@ -143,14 +143,12 @@ ReproductionResult reproduce_pillars_views(Laboratory& laboratory) {
   result.rows.add({"dynamic_range_log10", range, "log10", {}});
   result.paper_shows =
       "Figure 2: scene Pillars, lit by three directional lights from behind and a self-luminous HDR "
-      "environment, in HDR "
-      "from the left, the centre and the right.";
+      "environment, in HDR from the left, the centre and the right.";
   result.ours_shows = fmt::format(
       "Our Pillars has {:.1f} orders of magnitude of luminance; its log average is {}.", range, averages);
   result.differs =
       "The paper gives no model, so that ours is built to its words: rows of pillars before, at and behind "
-      "the screen. "
-      "Beside each picture stands what the display can show of it.";
+      "the screen. Beside each picture stands what the display can show of it.";
   return result;
 }
 
@@ -161,8 +159,7 @@ ReproductionResult reproduce_sphere_mapped(Laboratory& laboratory) {
   const double per_ray = std::min(means[kOfBruteForce], means[kOfAccumulative]);
   result.paper_shows =
       "Figure 5, scene Sphere: All gives a significantly worse result than BruteForce and Accumulative, "
-      "which look almost "
-      "identical.";
+      "which look almost identical.";
   result.ours_shows = scores_sentence(bench, means);
   const std::vector<ShownView>& views = bench.shown_views("sphere");
   result.differs = fmt::format(
@@ -181,13 +178,12 @@ ReproductionResult reproduce_pillars_mapped(Laboratory& laboratory) {
   const double gain = means[kOfAccumulative] - means[kOfBruteForce];
   result.paper_shows =
       "Figure 6, scene Pillars: OnResult has much less detail than GroundTruth, above all far from the "
-      "screen; the three "
-      "methods lie between; BruteForce looks better than All and Accumulative slightly better still.";
+      "screen; the three methods lie between; BruteForce looks better than All and Accumulative slightly "
+      "better still.";
   result.ours_shows = scores_sentence(bench, means);
   result.differs = fmt::format(
       "Accumulative is {:.2f} dB {} than BruteForce in these views. The methods are seen through the same "
-      "display as "
-      "OnResult: detail that its rays do not keep apart cannot come back.",
+      "display as OnResult: detail that its rays do not keep apart cannot come back.",
       std::abs(gain), gain > 0 ? "better" : "worse");
   return result;
 }
