@@ -18,6 +18,7 @@ void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_train_brisque_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
+void add_luminance_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_session_command(CLI::App& app, const Invocation& invocation);
 void add_analyse_command(CLI::App& app, const Invocation& invocation);
@@ -46,6 +47,9 @@ std::span<const Command> commands() {
               add_evaluate_command},
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",
               add_reproject_command},
+      Command{"luminance",
+              "Luminance that observers of a light-field display adapt to, and tone mapping with it",
+              add_luminance_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
       Command{"session", "Participant sessions: run, resume, simulate, list and export them",
               add_session_command},

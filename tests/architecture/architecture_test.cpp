@@ -26,6 +26,8 @@ const std::vector<Layer>& layers() {
       {"core/tonemap", {"core/base", "core/image", "core/io", "core/lightfield", "core/synthesis"}},
       {"core/display", {"core/base", "core/image"}},
       {"core/reprojection", {"core/base", "core/image", "core/display"}},
+      {"core/luminance",
+       {"core/base", "core/image", "core/io", "core/lightfield", "core/synthesis", "core/tonemap"}},
       {"metrics", {"core"}},
       {"stimuli", {"core"}},
       {"analysis", {"core"}},
