@@ -157,9 +157,11 @@ void look(Run& run, const Observer& observer, const std::vector<DisplayRays>& ma
     if (ln) run.rows.add({"luminance_cd_m2", std::exp(*ln), "cd/m²", columns});
     const DisplayLightImage seen =
         perceive(*run.field.display, mapped[m], observer.position, size, rendering.threads).image;
-    if (!references.ground_truth.empty())
+    // Black beside black compares nothing.
+    if (ln && references.ln_truth)
       run.rows.add({"psnr_ground_truth_db", light_psnr_db(seen, references.ground_truth), "dB", columns});
-    run.rows.add({"psnr_on_result_db", light_psnr_db(seen, references.on_result), "dB", columns});
+    if (ln && references.ln_result)
+      run.rows.add({"psnr_on_result_db", light_psnr_db(seen, references.on_result), "dB", columns});
     write_light(folder, fmt::format("{}-{}", name_of(run.methods[m].method), observer.name), seen);
   }
   if (folder.empty()) return;
@@ -244,6 +246,11 @@ void run_luminance(const Invocation& invocation, const LuminanceCommandOptions& 
                         [&](const fs::path& folder) { compute(run, plan, folder); });
   if (!output_is_for_programs(options.common)) print_tables(run);
   write_results(run.rows, provenance, options.common);
+  if (!run.estimates.front().luminance.known())
+    tell(options.common,
+         fmt::format("No ray of {} that counts is above {:g} cd/m²: its luminance is undefined, its "
+                     "pictures are black.",
+                     options.source, options.average.epsilon));
   if (!options.out.empty()) tell(options.common, fmt::format("wrote {}", options.out));
 }
 

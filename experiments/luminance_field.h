@@ -52,7 +52,8 @@ struct TimedEstimate {
 TimedEstimate timed_estimate(const ShownField& field, const ObserverSamples& samples,
                              const LuminanceOptions& options);
 
-/// The two references of section 7.2 for an observer: HDR pictures, and the operator applied to each as a whole.
+/// The two references of section 7.2 for an observer: HDR pictures, and the operator applied to each as a
+/// whole.
 struct ReferencePictures {
   /// The pinhole picture of the scene itself; empty where there is no scene.
   SceneImage truth;

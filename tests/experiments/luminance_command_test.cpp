@@ -142,6 +142,19 @@ TEST(LuminanceCommand, SimulatesTheOtherDisplaysToo) {
   }
 }
 
+TEST(LuminanceCommand, SaysThatNothingIsBrightEnoughInsteadOfComparingBlackPictures) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string();
+  const auto run =
+      run_program({"luminance", "sphere", "--preset", "quick", "--epsilon", "1e20", "--json", json});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("undefined"), std::string::npos) << run.out;
+  const auto rows = rows_of(json);
+  EXPECT_EQ(rows.at("undefined_samples spread"), 200);
+  EXPECT_EQ(rows.count("psnr_on_result_db spread"), 0u);
+  EXPECT_EQ(rows.count("luminance_max_cd_m2 spread"), 0u);
+}
+
 TEST(LuminanceCommand, TellsWrongUseInASentence) {
   expect_one_clear_sentence(run_program({"luminance", "spere"}), "sphere", 2);
   expect_one_clear_sentence(run_program({"luminance", "no/where"}), "does not exist");
