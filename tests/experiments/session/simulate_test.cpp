@@ -113,8 +113,9 @@ TEST(Simulation, UnpluggingChoosesNothingAndCountsNoView) {
   EXPECT_EQ(simulated.events("unplugged"), 60);
   EXPECT_EQ(simulated.events("shown_again"), 60);
   EXPECT_EQ(simulated.events("choice"), 60);
-  // The pad is out for 0.8 s; what is measured ends with the poll after.
-  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 800'000) < 20'000; }),
+  // The pad is out for 0.8 s; then a quarter of a second of black, and frames of 17 ms for it to begin and
+  // end.
+  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 1'075'000) < 25'000; }),
             1);
   const Simulated calm(with(ObserverKind::kIdeal, 10));
   const auto views = [](const Simulated& s) {
