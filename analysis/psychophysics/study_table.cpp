@@ -108,7 +108,14 @@ std::string doubt(const StudyRow& row, const Study& study) {
   const auto observer =
       std::find_if(study.observers.begin(), study.observers.end(),
                    [&](const ObserverSummary& o) { return o.display == row.count.display; });
-  return doubt_of_attention(observer->lapse, study.options.most_lapses);
+  const std::string inattentive = doubt_of_attention(observer->lapse, study.options.most_lapses);
+  if (!inattentive.empty()) return inattentive;
+  const auto& participants = observer->participants;
+  if (participants && participants->p_value < study.options.alpha)
+    return fmt::format(
+        "that is an average: participants differ (p = {}), so some may see a difference where others do not",
+        format_number(participants->p_value, 3));
+  return "";
 }
 
 void add_interval(ResultTable& table, const std::string& quantity, const Interval& interval,

@@ -64,7 +64,8 @@ struct StudyRow {
   bool repeated() const { return count.participants > 0 && count.participants < count.chose_test.trials; }
   /// Whether the test of equivalence succeeds for this row by itself.
   bool equivalent() const { return equivalence.contains(count.chose_test.hits); }
-  /// Whether it does so after Holm's correction, and observers are known to have looked.
+  /// Whether it does so after Holm's correction, observers are known to have looked, and participants do not
+  /// differ on the display: a rate of one half may be the average of those who see it and those who do not.
   bool indistinguishable(const EquivalenceOptions& options) const {
     return equivalence_p_holm < options.alpha && withheld.empty();
   }

@@ -176,8 +176,9 @@ TEST(StudyTable, SaysWhenNoCountCouldShowEquivalenceOrPass) {
 }
 
 /// `people` participants see images a and b once on one display, and every second of them takes the test
-/// image for the reference. Each has `catches` catch trials, of which the first `wrong` people fail one.
-std::vector<StudyTrial> guessers(int people, int catches, int wrong) {
+/// image for the reference: others on each image, or the same on both if they `differ`. Each has `catches`
+/// catch trials, of which the first `wrong` people fail one.
+std::vector<StudyTrial> guessers(int people, int catches, int wrong, bool differ = false) {
   std::vector<StudyTrial> trials;
   for (int p = 0; p < people; ++p) {
     StudyTrial trial;
@@ -188,7 +189,7 @@ std::vector<StudyTrial> guessers(int people, int catches, int wrong) {
     for (const std::string image : {"a", "b"}) {
       trial.image = image;
       trial.test_first = p % 4 < 2;
-      trial.chose_test = p % 2 == 0;
+      trial.chose_test = (differ || image == "a" ? p : p / 2) % 2 == 0;
       trials.push_back(trial);
       ++trial.trial;
     }
@@ -219,6 +220,24 @@ TEST(StudyTable, WithholdsIndistinguishableWhereNobodyIsKnownToHaveLooked) {
   EXPECT_NE(half.find("but 100 of 200 catch trials were wrong"), std::string::npos) << half;
 }
 
+TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsDiffer) {
+  const std::vector<StudyTrial> trials = guessers(200, 1, 0, true);
+  const Study study = analyse_trials(trials);
+  EXPECT_TRUE(study.rows[0].equivalent());
+  EXPECT_FALSE(study.rows[0].indistinguishable({}));
+  const std::string text = equivalence_text(study.rows[0], {});
+  EXPECT_TRUE(text.starts_with("the rate lies within 0.5 ± 0.15")) << text;
+  EXPECT_NE(text.find("but that is an average: participants differ (p = "), std::string::npos) << text;
+  // Only on the display on which they do.
+  std::vector<StudyTrial> two = guessers(200, 1, 0);
+  for (StudyTrial trial : trials) {
+    trial.display = "light-field";
+    two.push_back(trial);
+  }
+  for (const StudyRow& row : analyse_trials(two).rows)
+    EXPECT_EQ(row.indistinguishable({}), row.count.display == "monitor") << row.withheld;
+}
+
 TEST(StudyTable, TheLimitOfLapsesIsTheOneStated) {
   const std::vector<StudyTrial> trials = guessers(200, 1, 4);
   const double high = lapse_rate(trials)->lapse.high;
@@ -240,7 +259,7 @@ TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsRepeatAnImage) {
 
 TEST(StudyTable, OverdispersionIsThatOfOneImageAndOnlyWhereItIsRepeated) {
   const auto repeated_by = [](int tenth) {
-    std::vector<StudyTrial> trials = guessers(200, 1, 0);
+    std::vector<StudyTrial> trials = guessers(200, 1, 0, true);
     for (StudyTrial& trial : trials)
       trial.participant = fmt::format("P{}", std::stoi(trial.participant.substr(1)) % tenth);
     return analyse_trials(trials);

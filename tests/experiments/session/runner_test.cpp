@@ -7,8 +7,11 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/file.h"
+#include "core/io/image_file.h"
 #include "experiments/session/consent.h"
+#include "experiments/session/export.h"
 #include "experiments/session/same_study.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 
@@ -21,6 +24,7 @@ namespace fs = std::filesystem;
 class ScriptedStage final : public Stage {
  public:
   DisplayReport open_display(int screen) override {
+    ++opened;
     return {screen, "scripted", 1000, 800, stated_hz, vsync, 10};
   }
   void load(const std::vector<Picture>&) override {}
@@ -49,6 +53,7 @@ class ScriptedStage final : public Stage {
   std::map<std::string, std::vector<std::string>>
       answers;  // keys by id of the question; else the first choice
   int stop_at = -1;
+  int opened = 0;  // displays
   double stated_hz = 100;
   bool vsync = true;
   std::vector<std::string> pages;
@@ -171,6 +176,50 @@ TEST(Runner, TheConsentOfAnotherSessionOrToAnotherTextIsNoConsent) {
         << message;
     EXPECT_EQ(fixture.count("consent"), 0);
   }
+}
+
+TEST(Runner, ASessionThatHadConsentNeedsItWhenItGoesOn) {
+  const auto message = [](const std::function<void(const fs::path&)>& change) {
+    Fixture fixture;
+    ScriptedStage first;
+    first.answers["age"] = {"Return"};
+    first.stop_at = 2;
+    EXPECT_EQ(fixture.run(first), SessionState::kInterrupted);
+    change(fixture.sessions() / "consent" / "real-001.json");
+    ScriptedStage second;
+    const std::string text = message_of([&] { fixture.run(second); });
+    EXPECT_EQ(fixture.count("trial_started") == 2, !text.empty());
+    return text;
+  };
+  EXPECT_EQ(message([](const fs::path&) {}), "");
+  EXPECT_NE(message([](const fs::path& file) { fs::remove(file); }).find("is no longer there"),
+            std::string::npos);
+  EXPECT_NE(message([](const fs::path& file) { write_text_file(file, "{"); }).find("is damaged, although"),
+            std::string::npos);
+  const auto other_text = [](const fs::path& file) {
+    auto json = nlohmann::json::parse(read_text_file(file));
+    json["text"] = "another";
+    write_text_file(file, json.dump());
+  };
+  EXPECT_NE(message(other_text).find("was given to another text, although"), std::string::npos);
+}
+
+TEST(Runner, WhoStopsBeforeConsentIsNotExported) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.pad = [](const Picture& picture) {
+    return picture.question == "consent" ? std::vector<RawInput>{{.kind = RawInput::Kind::kClose}}
+                                         : std::vector<RawInput>{};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kInterrupted);
+  ASSERT_EQ(fixture.summary().answers.size(), 1u) << "whether of age";
+  const fs::path closed = fixture.folder.path() / "closed";  // the session itself is open here
+  fs::create_directories(closed);
+  fs::copy(fixture.sessions() / "real-001", closed / "real-001");
+  const fs::path out = fixture.folder.path() / "out";
+  const auto exported = [&] { return message_of([&] { export_sessions(closed, SessionMode::kReal, out); }); };
+  EXPECT_NE(exported().find("nothing to export"), std::string::npos) << exported();
+  EXPECT_NE(exported().find("real-001 (no consent)"), std::string::npos) << exported();
 }
 
 TEST(Runner, WhoIsUnderAgeNeedsTheGuardiansConsentToo) {
@@ -461,6 +510,40 @@ TEST(Runner, AChoiceThatWasChangedOnTheDiskIsDamageAndNoAnswer) {
     EXPECT_NE(message.find("it is damaged"), std::string::npos)
         << change.first << " " << &change - changes << ": " << message;
   }
+}
+
+TEST(Runner, TheDisplayThatWasTriedIsTheOneTheSessionBeginsOn) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  const DisplayReport display = require_displays(stage, fixture.study, SessionMode::kReal, false);
+  const int opened = stage.opened;
+  stage.stated_hz = 60;  // what would be found now does not count
+  EXPECT_EQ(
+      run_session(fixture.store, stage, {.images = fixture.folder.path() / "study", .display = display}),
+      SessionState::kDone);
+  EXPECT_EQ(stage.opened, opened) << "all is on one display";
+  EXPECT_EQ(fixture.count("display"), 1);
+}
+
+TEST(Runner, AnImageThatChangesWhileASessionRunsIsNotShown) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path(), SessionMode::kReal);
+  const StudyDefinition study = read_study(folder.path());
+  SessionStore store = SessionStore::create(
+      folder.path() / "sessions", new_identity(study, SessionMode::kReal, 1), Durability::kProcessEnd);
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  int blocks = 0;
+  stage.pad = [&](const Picture& picture) {
+    if (picture.question.starts_with("block_") && ++blocks == 2)
+      write_display_image(folder.path() / "two-test.png", DisplayImage(2, 2));
+    return std::vector<RawInput>{};
+  };
+  const std::string message = message_of([&] { run_session(store, stage, {.images = folder.path()}); });
+  EXPECT_NE(message.find("two-test.png has changed since session real-001 began"), std::string::npos)
+      << message;
+  EXPECT_EQ(summarise(store.identity(), study, store.events()).trials.size(), 3u) << "the first block";
 }
 
 TEST(Runner, APilotSaysSoOnItsPages) {

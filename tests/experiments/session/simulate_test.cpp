@@ -165,6 +165,21 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
             std::string::npos);
 }
 
+TEST(Simulation, OneDamagedSessionIsToldAndTheOthersGoOn) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 3));
+  const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
+  write_text_file(sessions / "simulated-002" / "session.db", std::string(8192, 'x'));
+  SimulationOptions options = with(ObserverKind::kIdeal, 4);
+  EXPECT_NE(message_of([&] { simulate_study(study, sessions, options); }).find("simulated-002"),
+            std::string::npos);
+  std::vector<std::string> unread;
+  options.on_unread = [&](const std::string& why) { unread.push_back(why); };
+  EXPECT_EQ(simulate_study(study, sessions, options).size(), 18u);
+  ASSERT_EQ(unread.size(), 1u);
+  EXPECT_NE(unread[0].find("simulated-002"), std::string::npos) << unread[0];
+  EXPECT_EQ(read_text_file(sessions / "simulated-002" / "session.db"), std::string(8192, 'x'));
+}
+
 TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {
   const Simulated simulated(with(ObserverKind::kIdeal, 1, {{"one", 0.25}}));
   const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
