@@ -67,7 +67,9 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
   OrderCounts orders;
   for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
     try {
-      add_session_rows(table, orders, read_session(folder));
+      const StoredSession stored = read_session(folder);
+      require_own_folder(stored.identity, folder);
+      add_session_rows(table, orders, stored);
     } catch (const InputError& error) {
       unread.push_back(error.what());
     }
@@ -110,7 +112,7 @@ void export_command(const Invocation& invocation, const ExportCommandOptions& op
   const fs::path sessions = existing_sessions_folder(options.folder);
   ExportCounts counts;
   const std::string item = fmt::format("{} --mode {}", item_path(sessions), options.mode);
-  write_result_folder({options.out, "session export", item, options.force}, provenance,
+  write_result_folder({options.out, "session export", item, options.force, true}, provenance,
                       [&](const fs::path& folder) {
                         counts = export_sessions(sessions, mode_named(options.mode), folder, options.choices);
                       });

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "experiments/session/consent.h"
 #include "experiments/session/plan.h"
@@ -109,7 +110,7 @@ class Session {
   bool consent() {
     const SessionIdentity& who = store_.identity();
     const std::filesystem::path sessions = store_.folder().parent_path();
-    if (so_far_.consented) return true;
+    if (so_far_.consented) return require_consent(sessions, who, study_.consent), true;
     if (!consent_exists(sessions, who, study_.consent)) {
       const bool minor = answers_minor(study_.consent, answer(adult_question(study_.consent)));
       ConsentRecord record{.participant = who.participant,
@@ -155,7 +156,8 @@ class Session {
 
   void open(int screen) {
     if (screen == display_.screen && opened_) return;
-    display_ = stage_.open_display(screen);
+    const bool is_open = !opened_ && options_.display && options_.display->screen == screen;
+    display_ = is_open ? *options_.display : stage_.open_display(screen);
     opened_ = true;
     recorder_.write(
         "display", display_.name, display_.vsync ? "vsync" : "no_vsync",
@@ -190,12 +192,26 @@ class Session {
     recorder_.go_to({});
   }
 
+  /// Images are read when their block begins, and must be those the session was created with.
+  void require_unchanged(const StimulusFiles& files) const {
+    for (const std::string& file : {files.reference, files.test}) {
+      const auto before = study_.image_hashes.find(file);
+      if (before != study_.image_hashes.end() && hash_file(options_.images / file) != before->second)
+        throw InputError(
+            fmt::format("the image {} has changed since session {} began: put back the one it began "
+                        "with, then resume the session",
+                        (options_.images / file).string(), store_.identity().participant));
+    }
+  }
+
   void load(const PlannedBlock& planned, const StudyBlock& block) {
     std::vector<Picture> pictures;
     for (const PlannedTrial& trial : planned.trials) {
       const TrialScene scene = trial_scene(study_, options_.images, block, trial);
       pictures.insert(pictures.end(), {scene.left, scene.right});
     }
+    for (const PlannedTrial& trial : planned.trials)
+      require_unchanged(study_.image(trial.image).on(block.display));
     stage_.load(pictures);
   }
 
@@ -229,12 +245,15 @@ class Session {
 
 }  // namespace
 
-void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing) {
+DisplayReport require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode,
+                               bool any_timing) {
   std::set<int> screens;
   for (const StudyBlock& block : study.blocks) screens.insert(block.screen);
   screens.erase(study.text_screen);
   for (const int screen : screens) require_timing(stage.open_display(screen), mode, any_timing);
-  require_timing(stage.open_display(study.text_screen), mode, any_timing);  // last: the session begins on it
+  const DisplayReport first = stage.open_display(study.text_screen);  // last: the session begins on it
+  require_timing(first, mode, any_timing);
+  return first;
 }
 
 SessionState run_session(SessionStore& store, Stage& stage, const RunnerOptions& options) {

@@ -169,16 +169,18 @@ SessionStore::SessionStore(fs::path folder, Durability durability)
 }
 
 SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentity& identity,
-                                  Durability durability) {
+                                  Durability durability, CutOff cut_off) {
   create_private_folder(sessions);
   const fs::path folder = sessions / identity.participant;
   if (is_withdrawn(sessions, identity.participant))
     throw InputError(fmt::format("{} was withdrawn: its pseudonym is not given again", identity.participant));
-  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+  // Of two programs that want the same pseudonym one makes the folder.
+  const bool made = ::mkdir(folder.c_str(), 0700) == 0;
+  if (!made && errno != EEXIST)
     throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
+  if (!made && (cut_off == CutOff::kRefuse || holds_session(folder)))
+    throw SessionExists(fmt::format("{} exists: a session is never overwritten", folder.string()));
   if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
-  if (holds_session(folder))
-    throw InputError(fmt::format("{} exists: a session is never overwritten", folder.string()));
   SessionStore store(folder, durability);
   write_identity(store.connection_->database, identity);
   if (durability == Durability::kPowerCut) sync_folder(sessions);
@@ -191,6 +193,7 @@ SessionStore SessionStore::open(const fs::path& folder, Durability durability) {
     throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
   SessionStore store(folder, durability);
   store.identity_ = read_identity(store.connection_->database, folder / kDatabaseFile);
+  require_own_folder(store.identity_, folder);
   return store;
 }
 
@@ -241,6 +244,14 @@ bool holds_session(const fs::path& folder) {
     holds = !has_no_tables(database);
   });
   return holds;
+}
+
+void require_own_folder(const SessionIdentity& identity, const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  if (name != identity.participant || name != pseudonym(identity.mode, identity.number))
+    throw InputError(
+        fmt::format("{} holds the {} session {} (number {}): a copy, or a folder that was renamed",
+                    folder.string(), name_of(identity.mode), identity.participant, identity.number));
 }
 
 StoredSession read_session(const fs::path& folder) {
