@@ -149,7 +149,7 @@ TEST(KilledSession, ASignalToStopEndsItInGoodOrderAndTellsHowToGoOn) {
     EXPECT_NE(killed.rest.find(fmt::format("session {} was stopped; everything so far is stored in ", who)),
               std::string::npos)
         << killed.rest;
-    const std::string quoted = "'" + (parent.path() / "it'\\''s a study").string() + "'";
+    const std::string quoted = fmt::format("'{}'", (parent.path() / "it'\\''s a study").string());
     EXPECT_NE(killed.rest.find(fmt::format("; to go on: plenolab session resume {} {}\n", quoted, who)),
               std::string::npos)
         << killed.rest;
