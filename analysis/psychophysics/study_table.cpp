@@ -52,7 +52,7 @@ void adjust_p_values(Study& study) {
     study.rows[i].p_bh = by_bh[i];
     study.rows[i].equivalence_p_holm = equivalence_by_holm[i];
   }
-  study.any_false_pass = -std::expm1(log_none);
+  study.any_false_pass = std::abs(std::expm1(log_none));  // no negative zero where no count passes
 }
 
 template <class Keep>

@@ -99,7 +99,8 @@ SessionState run_on_stage(SdlStage& stage, const StudyDefinition& study, Session
   if (!how.keyboard && equipment.pad.empty())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
   if (!equipment.audio) warn("there is no audio: no tone will be heard");
-  const DisplayReport display = require_displays(stage, study, mode, how.any_timing);
+  const DisplayReport display =
+      require_displays(stage, study, study_folder(options.study), mode, how.any_timing);
   SessionStore store = begin();
   const std::string& who = store.identity().participant;
   const std::string kept = fmt::format("everything so far is stored in {}; to go on: {}",
@@ -230,11 +231,11 @@ void resume(const ResumeOptions& options) {
   const fs::path folder = sessions / session_to_resume(options, sessions);
   const StoredSession stored = read_own_session(folder);
   require_trying_out(options.stage, stored.identity.mode);
-  require_own_consent(study, stored.identity.mode, options.study);
   const std::string different = difference(stored.identity, study);
   if (!different.empty())
     throw InputError(fmt::format("{} {} than the one of {}: it cannot go on with it", folder.string(),
                                  different, study_file(options.study).string()));
+  require_own_consent(study, stored.identity.mode, options.study);
   if (!options.yes && !agreed_to_resume(stored)) {
     fmt::print("nothing was changed\n");
     return;

@@ -14,10 +14,6 @@ namespace {
 
 constexpr std::uintmax_t kMostBytes = 4u << 20;
 
-fs::path consent_file(const fs::path& sessions, const std::string& participant) {
-  return sessions / "consent" / (participant + ".json");
-}
-
 /// Why a file is no consent to this session; empty if it is one.
 std::string fault_of(const fs::path& file, const SessionIdentity& identity, const ConsentText& asked) {
   const auto json = nlohmann::json::parse(read_text_file(file, kMostBytes), nullptr, false);

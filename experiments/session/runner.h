@@ -24,10 +24,12 @@ struct RunnerOptions {
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
 };
 
-/// Opens every display that the study needs, so that a session does not begin that cannot be run. Throws
-/// InputError if one is not there, or, for real sessions and unless `any_timing`, cannot be trusted with
-/// time. The report of the display that is open when it returns, on which the session begins.
-DisplayReport require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing);
+/// Opens every display that the study needs and loads the images it is to show from the folder `images`, so
+/// that a session does not begin that cannot be run. Throws InputError if a display is not there, an image is
+/// damaged or larger than its display, or, for real sessions and unless `any_timing`, a display cannot be
+/// trusted with time. The report of the display that is open when it returns, on which the session begins.
+DisplayReport require_displays(Stage& stage, const StudyDefinition& study,
+                               const std::filesystem::path& images, SessionMode mode, bool any_timing);
 
 /// Runs a session from where it stands to its end, or until it is stopped:
 /// consent → questions about the person → instructions → blocks of trials → questionnaire → end.

@@ -40,6 +40,7 @@ class SdlStage final : public Stage {
   void load(const std::vector<Picture>& pictures) override;
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
+  std::int64_t now_us() const override;
   std::vector<RawInput> poll() override;
   StageEquipment equipment() override;
   bool tone() override;
@@ -57,7 +58,6 @@ class SdlStage final : public Stage {
   };
   using Texture = std::unique_ptr<SDL_Texture, DestroyTexture>;
 
-  std::int64_t now_us() const;
   void require_on_screen(int screen) const;
   bool flips_wait() const;
   std::int64_t present();

@@ -107,20 +107,23 @@ bool is_withdrawn(const fs::path& sessions, const std::string& participant) {
   return fs::exists(sessions / kWithdrawnFolder / participant);
 }
 
+fs::path consent_file(const fs::path& sessions, const std::string& participant) {
+  return sessions / "consent" / (participant + ".json");
+}
+
 bool holds_participant(const fs::path& sessions, const std::string& participant) {
   const bool pseudonym = participant.find('/') == std::string::npos &&
                          (participant.starts_with("real-") || participant.starts_with("pilot-") ||
                           participant.starts_with("simulated-"));
-  return pseudonym && (fs::is_directory(sessions / participant) ||
-                       fs::exists(sessions / "consent" / (participant + ".json")));
+  return pseudonym &&
+         (fs::is_directory(sessions / participant) || fs::exists(consent_file(sessions, participant)));
 }
 
 Withdrawal withdraw_session(const fs::path& sessions, const std::string& participant) {
-  const fs::path folder = sessions / participant, consent = sessions / "consent";
-  const fs::path consent_file = consent / (participant + ".json");
+  const fs::path folder = sessions / participant, consent = consent_file(sessions, participant);
   if (!holds_participant(sessions, participant))
     throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
-  require_no_links(folder, consent_file);
+  require_no_links(folder, consent);
   require_idle(folder);
   require_of_participant(folder);
   create_private_folder(sessions / kWithdrawnFolder);
@@ -128,10 +131,10 @@ Withdrawal withdraw_session(const fs::path& sessions, const std::string& partici
     create_private_file(sessions / kWithdrawnFolder / participant, utc_now() + "\n", Durability::kPowerCut);
   Withdrawal removed;
   try {
-    if (fs::is_directory(consent)) {
-      remove_partial_files(consent_file);
-      removed.consent = fs::remove(consent_file);
-      sync_folder(consent);
+    if (fs::is_directory(consent.parent_path())) {
+      remove_partial_files(consent);
+      removed.consent = fs::remove(consent);
+      sync_folder(consent.parent_path());
     }
     removed.session = fs::remove_all(folder) > 0;
   } catch (const fs::filesystem_error& error) {

@@ -24,6 +24,9 @@ int next_number(const std::filesystem::path& sessions, SessionMode mode);
 /// Whether withdraw_session was called for this pseudonym.
 bool is_withdrawn(const std::filesystem::path& sessions, const std::string& participant);
 
+/// Where a participant's consent is stored.
+std::filesystem::path consent_file(const std::filesystem::path& sessions, const std::string& participant);
+
 /// Whether there is a session or a consent under this pseudonym.
 bool holds_participant(const std::filesystem::path& sessions, const std::string& participant);
 

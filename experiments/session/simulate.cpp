@@ -93,6 +93,9 @@ void require_same_options(const fs::path& sessions, const ObserverOptions& obser
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {
   const StudyDefinition study = read_study(study_path);
+  if (fs::weakly_canonical(sessions) == fs::weakly_canonical(study_folder(study_path) / "sessions"))
+    throw InputError(
+        fmt::format("{} is where the sessions of people go: give another folder (-o)", sessions.string()));
   if (fs::is_directory(sessions)) require_same_study(sessions, study, SessionMode::kSimulated);
   require_same_options(sessions, options.observer, options.durability);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);

@@ -102,6 +102,7 @@ class SessionStore {
 };
 
 /// Whether a folder holds a session; false also if its creation was cut off before anything happened in it.
+/// Throws InputError if a log or a consent shows that something had happened, which is not there.
 bool holds_session(const std::filesystem::path& folder);
 
 /// Throws InputError unless the session is the one that its folder is named after: copies and renamed folders

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "analysis/psychophysics/dprime.h"
@@ -172,6 +173,7 @@ TEST(StudyTable, SaysWhenNoCountCouldShowEquivalenceOrPass) {
   strict.p_null = 0.9;
   const Study hopeless = analyse_counts({{"d", "i", {3, 3}, 0, ""}}, strict);
   EXPECT_FALSE(hopeless.rows[0].passed);
+  EXPECT_FALSE(std::signbit(hopeless.any_false_pass));
   EXPECT_TRUE(verdict_text(hopeless.rows[0], strict).starts_with("failed: no count of 3 trials"));
 }
 

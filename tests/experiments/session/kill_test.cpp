@@ -259,6 +259,12 @@ TEST(SessionCommand, ListsAndExportsWhatCanBeReadAndTellsWhatCannot) {
   const ProgramResult listed = run_program({"session", "list", sessions});
   EXPECT_NE(listed.out.find("in the order headset-first: 1"), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find("not read: "), std::string::npos) << listed.out;
+  {
+    const SessionStore running =
+        SessionStore::open(folder.path() / "sessions" / "simulated-001", Durability::kProcessEnd);
+    const ProgramResult meanwhile = run_program({"session", "list", sessions});
+    EXPECT_NE(meanwhile.out.find("running: simulated-001\n"), std::string::npos) << meanwhile.out;
+  }
   const ProgramResult json = run_program({"session", "list", sessions, "--json", "-"});
   const auto rows = nlohmann::json::parse(json.out).at("rows");
   EXPECT_EQ(rows.back().at("quantity"), "sessions_not_read");

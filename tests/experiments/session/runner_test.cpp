@@ -1,10 +1,13 @@
 #include "experiments/session/runner.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/base/file.h"
 #include "core/io/image_file.h"
@@ -27,7 +30,10 @@ class ScriptedStage final : public Stage {
     ++opened;
     return {screen, "scripted", 1000, 800, stated_hz, vsync, 10};
   }
-  void load(const std::vector<Picture>&) override {}
+  void load(const std::vector<Picture>& pictures) override {
+    for (const Picture& picture : pictures)
+      loaded.push_back(fmt::format("{} at {}", picture.file.filename().string(), picture.zoom));
+  }
   void draw(const Picture& picture) override {
     picture_ = picture;
     waited_ = 0;
@@ -54,13 +60,14 @@ class ScriptedStage final : public Stage {
       answers;  // keys by id of the question; else the first choice
   int stop_at = -1;
   int opened = 0;  // displays
+  std::vector<std::string> loaded;
   double stated_hz = 100;
   bool vsync = true;
   std::vector<std::string> pages;
   std::string banner;
   /// Takes the place of the keys for this picture, if it gives anything.
   std::function<std::vector<RawInput>(const Picture&)> pad;
-  std::int64_t now_us() const { return now_us_; }
+  std::int64_t now_us() const override { return now_us_; }
 
  private:
   std::vector<RawInput> pad_inputs() {
@@ -516,7 +523,8 @@ TEST(Runner, TheDisplayThatWasTriedIsTheOneTheSessionBeginsOn) {
   Fixture fixture;
   ScriptedStage stage;
   stage.answers["age"] = {"Return"};
-  const DisplayReport display = require_displays(stage, fixture.study, SessionMode::kReal, false);
+  const DisplayReport display =
+      require_displays(stage, fixture.study, fixture.folder.path() / "study", SessionMode::kReal, false);
   const int opened = stage.opened;
   stage.stated_hz = 60;  // what would be found now does not count
   EXPECT_EQ(
@@ -524,6 +532,53 @@ TEST(Runner, TheDisplayThatWasTriedIsTheOneTheSessionBeginsOn) {
       SessionState::kDone);
   EXPECT_EQ(stage.opened, opened) << "all is on one display";
   EXPECT_EQ(fixture.count("display"), 1);
+}
+
+TEST(Runner, EveryImageIsLoadedBeforeASessionBegins) {
+  const TemporaryFolder folder;
+  StudyDefinition study = write_tiny_study(folder.path());
+  study.blocks.back().zoom = 3;
+  ScriptedStage stage;
+  require_displays(stage, study, folder.path(), SessionMode::kPilot, false);
+  for (const StudyBlock& block : study.blocks)
+    for (const std::string& id : block.images)
+      for (const std::string& file :
+           {study.image(id).on(block.display).reference, study.image(id).on(block.display).test})
+        EXPECT_EQ(
+            std::count(stage.loaded.begin(), stage.loaded.end(), fmt::format("{} at {}", file, block.zoom)),
+            1)
+            << block.id << " " << file;
+}
+
+TEST(Runner, EveryEventHasItsTime) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  stage.flip();
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  std::int64_t last_us = 1;
+  for (const SessionEvent& event : fixture.store.events()) {
+    EXPECT_GE(event.t_us, last_us) << event.kind;
+    last_us = event.t_us;
+  }
+}
+
+TEST(Runner, AConsentIsDatedWhenItIsGiven) {
+  Fixture fixture;
+  ScriptedStage stage;
+  stage.answers["age"] = {"Return"};
+  std::string shown_utc;
+  stage.pad = [&](const Picture& picture) {
+    if (picture.question != "consent" || !shown_utc.empty()) return std::vector<RawInput>{};
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    shown_utc = utc_now();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return std::vector<RawInput>{};
+  };
+  EXPECT_EQ(fixture.run(stage), SessionState::kDone);
+  const auto json = nlohmann::json::parse(read_text_file(fixture.sessions() / "consent" / "real-001.json"));
+  ASSERT_FALSE(shown_utc.empty());
+  EXPECT_GT(json.at("given_utc").get<std::string>(), shown_utc);
 }
 
 TEST(Runner, AnImageThatChangesWhileASessionRunsIsNotShown) {

@@ -180,6 +180,16 @@ TEST(Simulation, OneDamagedSessionIsToldAndTheOthersGoOn) {
   EXPECT_EQ(read_text_file(sessions / "simulated-002" / "session.db"), std::string(8192, 'x'));
 }
 
+TEST(Simulation, TheFolderOfPeoplesSessionsIsRefused) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path());
+  EXPECT_NE(message_of([&] {
+              simulate_study(folder.path(), folder.path() / "." / "sessions", with(ObserverKind::kIdeal, 1));
+            }).find("is where the sessions of people go"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
+}
+
 TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {
   const Simulated simulated(with(ObserverKind::kIdeal, 1, {{"one", 0.25}}));
   const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include "core/base/file.h"
@@ -89,6 +90,29 @@ TEST(Store, NoPseudonymIsGivenTwice) {
   create_private_folder(sessions.path / "consent");
   create_private_file(sessions.path / "consent" / "real-003.json", "{}", Durability::kPowerCut);
   EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4) << "real-003 has left its consent";
+}
+
+TEST(Store, AnEmptyDatabaseOfASessionThatHadBegunIsDamagedAndItsLogStays) {
+  const Sessions sessions;
+  const fs::path folder = sessions.path / "real-001", database = folder / "session.db";
+  create_private_folder(folder);
+  create_private_file(database, "", Durability::kProcessEnd);
+  EXPECT_FALSE(holds_session(folder)) << "cut off while it was created";
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-001.json", "{}", Durability::kProcessEnd);
+  EXPECT_NE(message_of([&] { holds_session(folder); }).find("although"), std::string::npos);
+  EXPECT_NE(message_of([&] {
+              SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd);
+            }).find("session.db-wal"),
+            std::string::npos);
+  create_private_file(folder / "session.db-wal", "events", Durability::kProcessEnd);
+  for (const auto& attempt :
+       std::vector<std::function<void()>>{[&] { holds_session(folder); }, [&] { read_session(folder); },
+                                          [&] { SessionStore::open(folder, Durability::kProcessEnd); }}) {
+    const std::string message = message_of(attempt);
+    EXPECT_NE(message.find("is empty, although"), std::string::npos) << message;
+    EXPECT_EQ(read_text_file(folder / "session.db-wal"), "events");
+  }
 }
 
 TEST(Store, WhoWithdrawsIsRemovedAndLeavesOnlyThatThePseudonymIsTaken) {
