@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "experiments/session/session_folders.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;

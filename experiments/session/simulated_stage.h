@@ -26,7 +26,6 @@ class SimulatedStage final : public Stage {
 
   int tones() const { return tones_; }
   int rumbles() const { return pad_.rumbles(); }
-  std::int64_t now_us() const { return now_us_; }
 
  private:
   void perform(const PadAction& action);
