@@ -96,7 +96,7 @@ SimulatedStudy simulate(std::uint64_t seed) {
   options.participants = kParticipants;
   options.observer.wrong = result.rates;
   options.observer.seed = seed;
-  const fs::path sessions = folder.path() / "sessions", out = folder.path() / "exported";
+  const fs::path sessions = folder.path() / "simulated", out = folder.path() / "exported";
   const Stopwatch watch;
   simulate_study(folder.path(), sessions, options);
   result.seconds = watch.seconds();
