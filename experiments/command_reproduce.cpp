@@ -10,6 +10,7 @@
 #include "experiments/cli/output.h"
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
+#include "experiments/reproduce/exhibits/exhibits.h"
 #include "experiments/reproduce/run.h"
 
 namespace plenolab {
@@ -31,15 +32,28 @@ Effort effort_of(const std::string& preset) {
   return preset == "paper" ? Effort::kPaper : Effort::kQuick;
 }
 
-void print_list_for_people() {
+void print_items() {
   std::string chapter;
+  fmt::print("What can be run, by chapter of the report:\n");
   for (const Reproduction& item : reproductions()) {
     if (title_of(item.chapter) != chapter) fmt::print("{}\n", chapter = title_of(item.chapter));
-    fmt::print("  {:<20} {}\n", item.id, item.title);
+    fmt::print("  {:<28} {}\n", item.id, item.title);
   }
 }
 
-/// What can be reproduced, as a table for people and as rows for programs.
+void print_exhibits() {
+  for (const Paper& paper : papers()) {
+    fmt::print("\n{}, {}\n", paper.name, paper.title);
+    for (const Exhibit& e : paper.exhibits) {
+      const bool reproduced = e.status != ExhibitStatus::kNotReproducible;
+      fmt::print("  {:<11} {:<46} {:<22} {}{}{}\n", e.name, e.shows, name_of(e.status), e.item,
+                 reproduced && *e.note ? ": " : "", e.note);
+    }
+  }
+}
+
+/// What can be reproduced, and what became of each figure and table of the papers, as tables for people and
+/// as rows for programs.
 void list(const Invocation& invocation, const CommonOptions& options) {
   Provenance provenance = begin_run(invocation, options);
   ResultTable table;
@@ -50,7 +64,21 @@ void list(const Invocation& invocation, const CommonOptions& options) {
                {{"item", std::string(item.id)},
                 {"chapter", std::string(title_of(item.chapter))},
                 {"title", std::string(item.title)}}});
-  if (!output_is_for_programs(options)) print_list_for_people();
+  for (const Paper& paper : papers())
+    for (const Exhibit& e : paper.exhibits)
+      table.add({"reproduced",
+                 e.status == ExhibitStatus::kNotReproducible ? 0.0 : 1.0,
+                 "1",
+                 {{"paper", std::string(paper.name)},
+                  {"exhibit", std::string(e.name)},
+                  {"status", std::string(name_of(e.status))},
+                  {"item", std::string(e.item)},
+                  {"shows", std::string(e.shows)},
+                  {"note", std::string(e.note)}}});
+  if (!output_is_for_programs(options)) {
+    print_items();
+    print_exhibits();
+  }
   write_results(table, provenance, options);
 }
 
@@ -144,8 +172,9 @@ void run_reproduce(const Invocation& invocation, const ReproduceOptions& options
 
 void add_reproduce_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ReproduceOptions>();
-  app.add_option("ids", options->ids, "What to reproduce (default: everything), see --list");
-  app.add_flag("--list", options->list, "List what can be reproduced");
+  app.add_option("ids", options->ids, "What to reproduce, or all (default: all), see --list");
+  app.add_flag("--list", options->list,
+               "List what can be reproduced, and what became of every figure and table of the papers");
   app.add_option(
          "-o,--out", options->out,
          "Folder for the report and its figures (default: results/reproduce, for one item results/ID)")

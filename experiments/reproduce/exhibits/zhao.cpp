@@ -1,0 +1,48 @@
+#include "experiments/reproduce/exhibits/tables.h"
+
+namespace plenolab {
+
+using enum ExhibitStatus;
+
+std::span<const Exhibit> zhao_exhibits() {
+  static constexpr Exhibit kExhibits[] = {
+      {"Figure 1", "linear against designed tone mapping", kRerun, "zhao-fig-1", ""},
+      {"Figure 2", "ranges of luminance in the world, the eye, displays", kNotReproducible, "",
+       "a diagram of textbook ranges"},
+      {"Figure 3", "slopes of the content adaptive operator", kRerun, "zhao-fig-3", ""},
+      {"Figure 4", "light probes in a game engine", kNotReproducible, "", "an image of another program"},
+      {"Figure 5", "histograms of photographs", kRerun, "zhao-fig-5", ""},
+      {"Figure 6", "histograms of rendered frames", kRerun, "zhao-fig-6", ""},
+      {"Figure 7", "perceptual quantiser against gamma 2.4", kRecomputed, "zhao-fig-7", ""},
+      {"Figure 8", "framework of the feature metric", kNotReproducible, "",
+       "another paper's diagram; the metric is 'plenolab metric --metric feature_photographic'"},
+      {"Figure 9", "flicker from a small change of the sky", kRerun, "altmeier-fig-42",
+       "mean luma over motions, each operator beside the HDR frames"},
+      {"Figure 10", "local flicker", kNotReproducible, "",
+       "another paper's images; borders of visibility over time are in tone-mapping-consistency"},
+      {"Table 1", "parameters of the generic operator", kRecomputed, "zhao-table-1", ""},
+      {"Figure 11", "workflow of tweaking look-up tables", kNotReproducible, "", "images of another program"},
+      {"Figure 12", "ways of storing look-up tables", kRerun, "zhao-fig-12", ""},
+      {"Figure 13", "a post-processing volume", kRerun, "zhao-fig-24", "volumes of our walk, from above"},
+      {"Figure 14", "flow chart of the optimisation", kNotReproducible, "", "a diagram of a program"},
+      {"Figure 15", "distortion maps of three methods", kRerun, "zhao-fig-15", ""},
+      {"Table 2", "distortion of three methods", kRerun, "zhao-table-2",
+       "and its printed numbers audited: zhao-audit-table-2"},
+      {"Figure 16", "a sequence of nine frames", kRerun, "zhao-fig-16", ""},
+      {"Figure 17", "workflow in a game", kNotReproducible, "", "another company's slide"},
+      {"Figure 18", "linear interpolation pipeline", kNotReproducible, "", "a diagram of a program"},
+      {"Figure 19", "pixel-based interpolation pipeline", kNotReproducible, "", "a diagram of a program"},
+      {"Figure 20", "world positions of pixels", kNotReproducible, "", "a diagram"},
+      {"Figure 21", "tweaking a table by hand", kNotReproducible, "", "an image of another program"},
+      {"Figure 22", "colour transfer by hand", kNotReproducible, "",
+       "screenshots that nobody has, graded by hand"},
+      {"Figure 23", "automatic colour transfer", kRerun, "zhao-fig-23", ""},
+      {"Figure 24", "looking round between volumes", kRerun, "zhao-fig-24", ""},
+      {"Figure 25", "linear against pixel-based interpolation", kRerun, "zhao-fig-25", ""},
+      {"Figure 26", "mixed image against pixel-based interpolation", kRerun, "zhao-fig-26", ""},
+      {"Table 3", "run times of the proposed algorithm", kRerun, "zhao-table-3", ""},
+  };
+  return kExhibits;
+}
+
+}  // namespace plenolab
