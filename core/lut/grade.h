@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "core/lut/lut.h"
 
@@ -25,10 +26,7 @@ class PreparedLut {
   GradedImage grade(const DisplayImage& image, const GradeOptions& options = {}) const;
 
  private:
-  std::int64_t grade_row(const Rgb* in, Rgb* out, int count, LutInterpolation interpolation) const;
-
-  Lut header_;  ///< without nodes
-  int stride_g_ = 0, stride_b_ = 0;
+  Lut header_;                ///< without nodes
   std::vector<float> nodes_;  ///< four values each
 };
 
