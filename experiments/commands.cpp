@@ -17,6 +17,7 @@ void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
+void add_lut_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_session_command(CLI::App& app, const Invocation& invocation);
 void add_analyse_command(CLI::App& app, const Invocation& invocation);
@@ -43,6 +44,8 @@ std::span<const Command> commands() {
               add_evaluate_command},
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",
               add_reproject_command},
+      Command{"lut", "Look-up tables of colour: apply, blend, transfer, post-processing volumes",
+              add_lut_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
       Command{"session", "Participant sessions: run, resume, simulate, list and export them",
               add_session_command},
