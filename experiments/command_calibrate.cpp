@@ -110,6 +110,18 @@ void write_page(const CalibrateOptions& options, const CalibrationPage& page, co
   write_report(page.report, folder / "report.html");
 }
 
+/// Each table with its sentences.
+void tell_fit(const CalibrateOptions& options, const ResultTable& rows, const CalibrationFit& fit,
+              const std::vector<DoubtedSource>& doubts) {
+  const bool for_people = !output_is_for_programs(options.common);
+  if (for_people) print_table(rows, estimate_design());
+  for (const std::string& sentence : calibration_sentences(fit)) tell(options.common, sentence);
+  if (doubts.empty()) return;
+  tell(options.common, "\nPlain least squares, without one source after the other:");
+  if (for_people) print_table(doubt_rows(doubts), doubt_design(doubts));
+  for (const std::string& sentence : doubt_sentences(doubts)) tell(options.common, sentence);
+}
+
 void run_fit(const Invocation& invocation, const CalibrateOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   const CalibrationMeasurements measurements = measurements_of(options);
@@ -124,14 +136,9 @@ void run_fit(const Invocation& invocation, const CalibrateOptions& options) {
   if (contradicts(fit) && !isolated_outliers(fit)) doubts = doubt_each_source(measurements, fitting);
   ResultTable rows = calibration_rows(measurements, fit);
   rows.append(doubt_rows(doubts));
-  if (!output_is_for_programs(options.common)) {
-    print_table(rows, estimate_design());
-    if (!doubts.empty()) print_table(doubt_rows(doubts), doubt_design(doubts));
-  }
-  for (const auto& sentences : {calibration_sentences(fit), doubt_sentences(doubts)}) {
+  tell_fit(options, rows, fit, doubts);
+  for (const auto& sentences : {calibration_sentences(fit), doubt_sentences(doubts)})
     add_notes(rows, sentences);
-    for (const std::string& sentence : sentences) tell(options.common, sentence);
-  }
   if (!options.out.empty()) {
     const ResultFolder folder{options.out, "calibrate", item_path(options.measurements), options.force};
     write_result_folder(folder, provenance, [&](const fs::path& temporary) {

@@ -228,6 +228,10 @@ void require_consistent(const ReprojectOptions& options) {
   if (options.image_set && (options.method == "direct" || options.stereo_mm > 0 || !options.eye.empty()))
     throw UsageError(
         "--image-set writes both kinds of images: leave out --method direct, --stereo and --eye");
+  if (options.method == "direct" && options.compare)
+    throw UsageError(
+        "--compare sets reprojection against every camera rendered, which --method direct is already: leave "
+        "out one of them");
   if (!options.eye.empty()) eye_of(options).validate(display_for(options));
   if (options.source.empty() || fs::exists(options.source)) {
     if (options.stereo_mm > 0) throw UsageError("--stereo renders a second eye: name a scene, not a folder");
@@ -279,14 +283,16 @@ void add_method_options(CLI::App& app, ReprojectOptions& options) {
 }
 
 void add_eye_options(CLI::App& app, ReprojectOptions& options) {
-  app.add_option(
+  CLI::Option* eye = app.add_option(
       "--eye", options.eye,
       "Also write retina.png, what an eye at X,Y,Z mm from the middle of the eye box sees (0,0,0)");
   app.add_option("--focus", options.focus_m, "Distance in metres that this eye focuses on, or inf")
       ->check(positive_or_infinite())
+      ->needs(eye)
       ->capture_default_str();
   app.add_option("--pupil", options.pupil_mm, "Diameter of its pupil in mm; 0 = pinhole")
       ->check(number_between(0, 20))
+      ->needs(eye)
       ->capture_default_str();
   app.add_option("--stereo", options.stereo_mm, "Make both eyes, this many mm apart (files left-…, right-…)")
       ->check(number_between(0, 200));
@@ -296,9 +302,10 @@ void add_eye_options(CLI::App& app, ReprojectOptions& options) {
 
 void add_reproject_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ReprojectOptions>();
-  app.add_option(
-      "source", options->source,
-      "Scene id (near-eye-1 … near-eye-5, or any other), or folder of a light field with square views");
+  app.add_option("source", options->source,
+                 "Scene id (near-eye-1 … near-eye-5, or another), or folder of a light field with square "
+                 "views; cameras as "
+                 "far apart down as across");
   app.add_option("-o,--out", options->out, "Folder for light-field.png, panel.png and centre.png")
       ->required()
       ->check(not_empty());

@@ -9,6 +9,7 @@ void add_session_command(CLI::App& app, const Invocation& invocation) {
   add_session_new(app, invocation);
   add_session_run(app);
   add_session_resume(app);
+  add_session_withdraw(app);
   add_session_simulate(app, invocation);
   add_session_list(app, invocation);
   add_session_export(app, invocation);

@@ -22,10 +22,6 @@ constexpr std::array kFills{FillName{HoleFill::kMean, "mean"}, FillName{HoleFill
                             FillName{HoleFill::kBackground, "background"},
                             FillName{HoleFill::kNearest, "nearest"}, FillName{HoleFill::kBlack, "black"}};
 
-int code_of(float value) {
-  return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
-}
-
 /// Statistics of a histogram of differences of 8-bit codes.
 ChannelDifference summarise(const std::array<std::int64_t, 256>& counts) {
   std::int64_t total = 0, sum = 0;
@@ -136,12 +132,17 @@ DirectLightField directly_from(const LightField& field, float exposure) {
 
 DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling,
                           int threads) {
-  DisplayImage image = light_field;
-  for (int factor = supersampling; factor > 1; factor /= 2) {
-    image = halve_subimages(image, layout, threads);
+  if (supersampling <= 1) return light_field;
+  DisplayImage image = halve_subimages(light_field, layout, threads);
+  for (int factor = supersampling / 2; factor > 1; factor /= 2) {
     layout.size_px /= 2;
+    image = halve_subimages(image, layout, threads);
   }
   return image;
+}
+
+int display_code(float value) {
+  return static_cast<int>(std::lround(std::clamp(value, 0.0f, 1.0f) * 255));
 }
 
 std::array<ChannelDifference, 3> difference_statistics(const DisplayImage& a, const DisplayImage& b) {
@@ -149,7 +150,7 @@ std::array<ChannelDifference, 3> difference_statistics(const DisplayImage& a, co
     throw InputError("light-field images of different sizes cannot be compared");
   std::array<std::array<std::int64_t, 256>, 3> counts{};
   const auto add = [&](std::size_t channel, float u, float v) {
-    ++counts[channel][static_cast<std::size_t>(std::abs(code_of(u) - code_of(v)))];
+    ++counts[channel][static_cast<std::size_t>(std::abs(display_code(u) - display_code(v)))];
   };
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Rgb u = a.pixels()[i], v = b.pixels()[i];

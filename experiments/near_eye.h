@@ -55,6 +55,10 @@ DirectLightField directly_from(const LightField& field, float exposure);
 DisplayImage to_subimages(const DisplayImage& light_field, SubimageLayout layout, int supersampling,
                           int threads);
 
+/// The code of 8 bits of an encoded value, clipped to [0, 1]: displays show no more, and differences are
+/// taken between codes.
+int display_code(float value);
+
 /// |a − b| of one channel over the whole light field, codes of 8 bits in [0, 1] (tables 5.2 to 5.4).
 struct ChannelDifference {
   double min = 0, max = 0, mean = 0, median = 0;

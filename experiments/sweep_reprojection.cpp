@@ -1,19 +1,11 @@
 #include "experiments/sweep_reprojection.h"
 
-#include <cmath>
-
 namespace plenolab {
 
 namespace {
 
-double mean_error(const DisplayImage& a, const DisplayImage& b) {
-  double sum = 0;
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Rgb d = a.pixels()[i] - b.pixels()[i];
-    sum += static_cast<double>(std::abs(d.r) + std::abs(d.g) + std::abs(d.b));
-  }
-  return sum / (3.0 * static_cast<double>(a.size()));
-}
+/// Sampling of the truth, the finest there is.
+constexpr int kFinest = 4;
 
 SweepOutcome outcome_of(const std::string& method, long long cameras, int supersampling) {
   return {.setting = {{"method", method},
@@ -36,7 +28,7 @@ SweepOutcome run_reprojection(const NearEyeScene& scene, ReprojectionMethod meth
         holes = static_cast<double>(r.holes) / static_cast<double>(r.pixels);
       },
       run.runs);
-  outcome.error = mean_error(image, truth);
+  outcome.error = mean_difference(difference_statistics(image, truth));
   outcome.values = {{"mean_error", outcome.error, "1"}, {"hole_share", holes, "1"}};
   return outcome;
 }
@@ -53,7 +45,7 @@ SweepOutcome run_direct(const NearEyeScene& scene, const DisplayImage& truth, co
                              run.threads);
       },
       run.runs);
-  outcome.error = mean_error(image, truth);
+  outcome.error = mean_difference(difference_statistics(image, truth));
   outcome.values = {{"mean_error", outcome.error, "1"}, {"hole_share", 0, "1"}};
   return outcome;
 }
@@ -62,22 +54,23 @@ SweepOutcome run_direct(const NearEyeScene& scene, const DisplayImage& truth, co
 
 ResultTable sweep_reprojection(const Scene& scene, const SweepRun& run) {
   const DirectScene built(scene);
-  const NearEyeScene finest = prepare_near_eye(built, 4);
+  const NearEyeScene finest = prepare_near_eye(built, kFinest);
   const DisplayImage truth = to_subimages(render_directly(finest, run.threads).light_field,
-                                          camera_array(finest.grid).layout, 4, run.threads);
+                                          camera_array(finest.grid).layout, kFinest, run.threads);
   std::vector<SweepOutcome> outcomes;
-  constexpr double kSettings = 15;
+  constexpr double kSettings = 14;
   const auto add = [&](SweepOutcome outcome) {
     outcomes.push_back(std::move(outcome));
     if (run.progress) run.progress(static_cast<double>(outcomes.size()) / kSettings);
   };
-  for (const int supersampling : {1, 2, 4}) {
+  for (const int supersampling : {1, 2, kFinest}) {
     // One exposure for all: images must differ by sampling only.
     NearEyeScene prepared = prepare_near_eye(built, supersampling);
     prepared.exposure = finest.exposure;
     for (const auto method : {ReprojectionMethod::kTwoStep, ReprojectionMethod::kOneStep})
       for (const int cameras : {4, 5}) add(run_reprojection(prepared, method, cameras, truth, run));
-    add(run_direct(prepared, truth, run));
+    // The finest with every camera rendered is the truth itself.
+    if (supersampling < kFinest) add(run_direct(prepared, truth, run));
   }
   ResultTable table;
   add_outcome_rows(table, {{"scene", scene.id}}, outcomes);

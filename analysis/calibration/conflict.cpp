@@ -15,19 +15,20 @@ namespace {
 
 constexpr double kMostOutliers = 0.2;
 
-/// Readings of one kind, or one anchor.
+/// Readings of one kind, or what is said of one parameter: its anchor or its fixed value.
 struct Source {
   std::string name;
-  std::string kind;                              ///< of records
-  std::optional<CalibrationParameter> anchor{};  ///< or this
+  std::string kind;                                 ///< of records
+  std::optional<CalibrationParameter> parameter{};  ///< or this
+  bool fixed = false;
 
   bool holds(const CalibrationResidual& residual, const CalibrationMeasurements& all) const {
-    if (anchor || residual.anchor) return anchor == residual.anchor;
+    if (parameter || residual.anchor) return parameter == residual.anchor;
     return kind == kind_of(all.records[residual.record]);
   }
   void remove_from(CalibrationMeasurements& measurements) const {
-    if (anchor)
-      measurements.parameters[index_of(*anchor)].role = ParameterSetting::Role::kFree;
+    if (parameter)
+      measurements.parameters[index_of(*parameter)].role = ParameterSetting::Role::kFree;
     else
       std::erase_if(measurements.records, [&](const CalibrationRecord& r) { return kind == kind_of(r); });
   }
@@ -40,14 +41,21 @@ std::vector<Source> sources_of(const CalibrationMeasurements& measurements) {
     if (std::none_of(sources.begin(), sources.end(), [&](const Source& s) { return s.kind == kind; }))
       sources.push_back({kind, kind});
   }
-  for (std::size_t i = 0; i < measurements.parameters.size(); ++i)
-    if (measurements.parameters[i].role == ParameterSetting::Role::kAnchored)
-      sources.push_back(
-          {fmt::format("anchor of {}", traits_of(i).symbol), "", static_cast<CalibrationParameter>(i)});
+  for (std::size_t i = 0; i < measurements.parameters.size(); ++i) {
+    const auto role = measurements.parameters[i].role;
+    if (role == ParameterSetting::Role::kFree) continue;
+    const bool fixed = role == ParameterSetting::Role::kFixed;
+    sources.push_back({fmt::format("{} of {}", fixed ? "fixed value" : "anchor", traits_of(i).symbol), "",
+                       static_cast<CalibrationParameter>(i), fixed});
+  }
   return sources;
 }
 
 LeftOutReading farthest(const Source& source, const CalibrationMeasurements& all, const CalibrationFit& fit) {
+  if (source.fixed) {
+    const std::size_t i = index_of(*source.parameter);
+    return {traits_of(i).name, all.parameters[i].nominal, fit.values[i], 0};
+  }
   LeftOutReading worst;
   for (const CalibrationResidual& residual : residuals_of(all)) {
     if (!source.holds(residual, all)) continue;
@@ -60,7 +68,11 @@ LeftOutReading farthest(const Source& source, const CalibrationMeasurements& all
   return worst;
 }
 
-/// Nothing if no record would be left.
+bool is_determined(const CalibrationFit& fit) {
+  return fit.converged && fit.uncertainty.open.empty();
+}
+
+/// Nothing if no record would be left, or if a parameter that was fixed is not determined by the rest.
 std::optional<DoubtedSource> fit_without(const std::vector<Source>& left_out,
                                          const CalibrationMeasurements& all,
                                          const CalibrationFitOptions& options) {
@@ -73,7 +85,10 @@ std::optional<DoubtedSource> fit_without(const std::vector<Source>& left_out,
   if (rest.records.empty()) return std::nullopt;
   if (left_out.empty()) doubt.source = "nothing";
   doubt.fit = fit_calibration(rest, options);
-  if (doubt.fit.converged && doubt.fit.uncertainty.open.empty())
+  const bool frees_fixed =
+      std::any_of(left_out.begin(), left_out.end(), [](const Source& source) { return source.fixed; });
+  if (frees_fixed && !is_determined(doubt.fit)) return std::nullopt;
+  if (is_determined(doubt.fit))
     for (const Source& source : left_out) doubt.left_out.push_back(farthest(source, all, doubt.fit));
   return doubt;
 }

@@ -33,7 +33,7 @@ double CalibrationCoordinates::unit_of(std::size_t parameter) const {
   if (traits_of(parameter).positive) return nominal_[parameter];
   switch (static_cast<CalibrationParameter>(parameter)) {
     case CalibrationParameter::kRotation:
-      return 180 / std::numbers::pi;
+      return kUsefulRotation_deg;
     case CalibrationParameter::kPupilOffset:
       return camera_height_mm_;
     default:

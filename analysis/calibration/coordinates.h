@@ -10,14 +10,19 @@
 
 namespace plenolab {
 
+/// A rotation of the lens grid by this much moves the outermost of 15 lenses by more than half a
+/// subimage: whoever does not know the rotation better knows nothing of it.
+inline constexpr double kUsefulRotation_deg = 5;
+
 /// The coordinates in which a geometry is fitted: dimensionless, of order one, and smooth where lengths are
 /// not.
 ///   p, w_l, d_l, sharpness, width   log(value/nominal): positive, and a common scale is one direction
 ///   f                               V·f_nominal with V = 1/d_l − 1/f: the image distance 1/V may diverge
 ///   offsets                         over the nominal lens pitch
-///   rotation                        in radians
+///   rotation                        over kUsefulRotation_deg
 ///   pupil offset                    over the mean height of the camera
-/// One unit is the size of the thing itself, so that a deviation of 1 means that nothing is known.
+/// One unit is the size of the thing itself, or what is large for it, so that a deviation of 1 means that
+/// nothing is known.
 class CalibrationCoordinates {
  public:
   explicit CalibrationCoordinates(const CalibrationMeasurements& measurements);
@@ -40,7 +45,7 @@ class CalibrationCoordinates {
                                             : shifted(P::kFocalLength, 1 / focal_length_mm());
     g.offset_x = shifted(P::kOffsetX, lens_pitch_mm());
     g.offset_y = shifted(P::kOffsetY, lens_pitch_mm());
-    g.rotation_rad = x[index_of(P::kRotation)];
+    g.rotation_rad = shifted(P::kRotation, radians(kUsefulRotation_deg));
     g.pupil_offset = shifted(P::kPupilOffset, camera_height_mm_);
     g.sharpness = scaled(P::kSharpness);
     g.sharpness_width = scaled(P::kSharpnessWidth);

@@ -222,6 +222,7 @@ CalibrationFit fit_calibration(const CalibrationMeasurements& measurements,
   const SolvedStart& best = *std::min_element(solved.begin(), solved.end(), better);
 
   CalibrationFit fit;
+  fit.loss = options.loss;
   fit.converged = best.converged;
   if (!best.converged) fit.message = best.message;
   fit.iterations = best.iterations;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,7 @@ struct FittedReading {
 
 /// The result of a fit.
 struct CalibrationFit {
+  CalibrationLoss loss = CalibrationLoss::kNone;  ///< that it was fitted with
   bool converged = false;
   std::string message;  ///< of the solver, where it did not converge
   ParameterValues values{};
@@ -50,8 +52,9 @@ struct CalibrationFit {
   std::vector<FittedReading> readings;  ///< readings in the order of the file, then anchors
   double chi2 = 0;                      ///< Σ deviations², outliers included
   int degrees_of_freedom = 0;           ///< readings + anchors − rank
-  /// Of a χ² as large or larger if the model and the deviations hold; 1 without degrees of freedom.
-  double p_value = 1;
+  /// Of a χ² as large or larger if the model and the deviations hold; absent without degrees of freedom,
+  /// where nothing is left to test. Exact for plain least squares; a robust loss leaves a larger χ².
+  std::optional<double> p_value;
   int iterations = 0;       ///< of the best start
   int starts = 0;           ///< that were tried
   int starts_agreeing = 0;  ///< that ended at the same cost as the best

@@ -136,24 +136,21 @@ CalibrationRig target_rig(double true_fov_deg) {
 }
 
 CalibrationMeasurements thesis_measurements() {
-  constexpr double kMeasuredFov_deg = 19.86, kHeight_mm = 100, kReading_mm = 0.2;
+  constexpr double kMeasuredFov_deg = 19.86, kFovReading_deg = 0.2;
   constexpr double kPixelsPerMm = 83 + 1.0 / 3, kPixelsPerMmWhenSharp = 80 + 1.0 / 3;
   CalibrationMeasurements m;
   m.comment =
-      "Hansen & Klein 2016: 19.86 deg measured (appendix C, printed as an angle; here as edges from 100 mm), "
-      "a spacer with which the panel is sharp (appendix A; the design puts its image at 965 mm), subimages "
+      "Hansen & Klein 2016: 19.86 deg measured (appendix C, which prints only the angle), a spacer with "
+      "which the panel is sharp (appendix A; the design puts its image at 965 mm), subimages "
       "that had to be scaled down from 83 1/3 to 80 1/3 px to be sharp (appendix D, section 3.2.3), nominal "
       "lengths (section 3.1). Deviations are ours.";
-  for (const int side : {-1, 1})
-    m.records.emplace_back(EdgeRecord{CalibrationAxis::kX, side, kHeight_mm,
-                                      kHeight_mm * std::tan(radians(kMeasuredFov_deg) / 2), kReading_mm});
+  m.records.emplace_back(FieldOfViewRecord{kMeasuredFov_deg, kFovReading_deg});
   m.records.emplace_back(FocusRecord{kDioptresPerMm / kImageDistance_mm, 0.5});
   m.records.emplace_back(SharpestScaleRecord{kImageDistance_mm, kPixelsPerMm / kPixelsPerMmWhenSharp, 0.005});
   m.parameters[index_of(P::kLensDistance)].role = Role::kFree;
   anchor(m.parameters, P::kPixelPitch, kPixelPitchKnown_mm);
   anchor(m.parameters, P::kLensPitch, 0.005);
   anchor(m.parameters, P::kFocalLength, 0.033);
-  anchor(m.parameters, P::kPupilOffset, 1);
   return m;
 }
 

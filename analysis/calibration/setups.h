@@ -26,10 +26,9 @@ CalibrationRig full_rig();
 /// `true_fov_deg` is that of the display; virtual cameras have the instrument's.
 CalibrationRig target_rig(double true_fov_deg);
 
-/// The thesis' own figures as measurements: the angle 19.86° as edge readings at an assumed height of 100 mm
-/// (it prints only the angle; all but the pupil offset is independent of the height), the panel seen sharp
-/// as if 965 mm away, subimages of 80⅓ instead of 83⅓ px sharpest, and anchors at the nominal lengths. They
-/// contradict each other.
+/// The thesis' own figures as measurements: the angle 19.86° (one number is printed, and so it is one
+/// reading), the panel seen sharp as if 965 mm away, subimages of 80⅓ instead of 83⅓ px sharpest, and anchors
+/// at the nominal lengths: six numbers for four unknowns. They contradict each other.
 CalibrationMeasurements thesis_measurements();
 
 }  // namespace plenolab

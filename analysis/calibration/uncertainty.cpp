@@ -29,26 +29,41 @@ std::vector<Eigen::Index> fitted_of(const CalibrationMeasurements& measurements)
   return fitted;
 }
 
-/// The covariance of the fitted coordinates, by which variances of anything are asked.
+/// Singular values, largest first, and right singular vectors, as columns: all of them, also where there are
+/// fewer rows.
+struct Directions {
+  Vector singular;
+  Matrix right;
+};
+
+Directions directions_of(const Matrix& matrix) {
+  Matrix padded = Matrix::Zero(std::max(matrix.rows(), matrix.cols()), matrix.cols());
+  padded.topRows(matrix.rows()) = matrix;
+  const Eigen::JacobiSVD<Matrix> svd(padded, Eigen::ComputeThinV);
+  return {svd.singularValues(), svd.matrixV()};
+}
+
+/// The covariance of the fitted coordinates, by which variances of anything are asked: the sandwich
+/// A⁻¹·B·A⁻¹ with A = JᵀJ of the anchors + mean ψ′ · JᵀJ of the readings, B the same with mean ψ².
 struct Spread {
   std::vector<Eigen::Index> fitted;
-  Vector singular;  // largest first
-  Matrix right;     // right singular vectors, as columns
-  Matrix meat;  // of the sandwich A⁻¹·B·A⁻¹: JᵀJ of the anchors + mean ψ² · JᵀJ of the readings
-  int rank = 0;
+  Directions plain;  // of the whitened Jacobian itself: what the data see, whatever the loss
+  Directions bread;  // of the square root of A
+  Matrix meat;       // B
+  int rank = 0;      // of both
 
   Vector pick(const Vector& gradient) const { return gradient(fitted); }
 
   /// A⁺·gradient; nothing where the gradient reaches into a direction that is exactly open.
   std::optional<Vector> solve(const Vector& gradient) const {
-    const Vector components = right.transpose() * gradient;
+    const Vector components = bread.right.transpose() * gradient;
     Vector solved = Vector::Zero(components.size());
     for (Eigen::Index k = 0; k < components.size(); ++k)
       if (k < rank)
-        solved(k) = components(k) / (singular(k) * singular(k));
+        solved(k) = components(k) / (bread.singular(k) * bread.singular(k));
       else if (std::abs(components(k)) > kGradientTolerance * gradient.norm())
         return std::nullopt;
-    return Vector(right * solved);
+    return Vector(bread.right * solved);
   }
 };
 
@@ -65,15 +80,12 @@ Spread spread_of(const CalibrationMeasurements& measurements, const Matrix& jaco
   bread.topRows(readings) *= std::sqrt(std::max(moments.mean_slope, 1e-3));
   Matrix meat = all;
   meat.topRows(readings) *= std::sqrt(moments.mean_square);
-  // Padded with zeros to at least as many rows as columns, so that all right singular vectors are there.
-  Matrix padded = Matrix::Zero(std::max(bread.rows(), bread.cols()), bread.cols());
-  padded.topRows(bread.rows()) = bread;
-  const Eigen::JacobiSVD<Matrix> svd(padded, Eigen::ComputeThinV);
-  spread.singular = svd.singularValues();
-  spread.right = svd.matrixV();
+  spread.plain = directions_of(all);
+  spread.bread = directions_of(bread);
   spread.meat = meat.transpose() * meat;
-  for (Eigen::Index k = 0; k < spread.singular.size(); ++k)
-    if (spread.singular(k) > kRankTolerance * spread.singular(0)) ++spread.rank;
+  const Vector& singular = spread.plain.singular;
+  for (Eigen::Index k = 0; k < singular.size(); ++k)
+    if (singular(k) > kRankTolerance * singular(0)) ++spread.rank;
   return spread;
 }
 
@@ -108,10 +120,12 @@ std::vector<CalibrationEstimate> estimate_parameters(const CalibrationMeasuremen
   return estimates;
 }
 
-/// The size against which "determined" is judged: the number itself, for the vergence 1/f, for f − d_l f.
+/// The size against which "determined" is judged: the number itself; for a vergence a useful one, and for
+/// f − d_l what that comes to, d_l·f·V with f ≈ d_l.
 double size_of(const DerivedQuantity& quantity, double value, const DisplayGeometry<CalibrationJet>& g) {
-  if (std::string_view(quantity.unit) == "dpt") return kDioptresPerMm / g.focal_length().a;
-  if (std::string_view(quantity.name) == "focal_gap_mm") return g.focal_length().a;
+  if (std::string_view(quantity.unit) == "dpt") return kUsefulVergence_dpt;
+  if (std::string_view(quantity.name) == "focal_gap_mm")
+    return g.lens_distance.a * g.lens_distance.a * kUsefulVergence_dpt / kDioptresPerMm;
   return std::abs(value);
 }
 
@@ -171,10 +185,11 @@ CalibrationUncertainty uncertainty_at(const CalibrationMeasurements& measurement
   result.correlation = correlate(result, geometry, spread);
   result.unknowns = static_cast<int>(spread.fitted.size());
   result.rank = spread.rank;
-  result.singular_values.assign(spread.singular.begin(), spread.singular.end());
+  const Vector& singular = spread.plain.singular;
+  result.singular_values.assign(singular.begin(), singular.end());
   if (result.rank == result.unknowns)
     result.condition_number = result.singular_values.front() / result.singular_values.back();
-  result.open = open_directions(coordinates, geometry, spread.fitted, spread.singular, spread.right,
+  result.open = open_directions(coordinates, geometry, spread.fitted, singular, spread.plain.right,
                                 spread.rank, result.derived);
   return result;
 }

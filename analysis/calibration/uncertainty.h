@@ -27,10 +27,14 @@ struct CalibrationEstimate {
   static constexpr double kNormal95 = 1.959963984540054;
 };
 
-/// Numbers with a larger standard deviation than this share of their own size (coordinates.h) count as not
-/// determined: an interval of ± half the length says that it was not measured, and the linear theory behind
-/// it no longer holds.
+/// Numbers with a larger standard deviation than this share of their size count as not determined: an
+/// interval of ± half the length says that it was not measured, and the linear theory behind it no longer
+/// holds. The size is that of the number itself, and where that may be about 0 a useful one: the unit of its
+/// coordinate for offsets, rotation and pupil (coordinates.h), kUsefulVergence_dpt for the vergence, and
+/// d_l²·1 dpt, the same as a length, for f − d_l.
 inline constexpr double kKnownWithin = 0.25;
+/// A quarter of it is the step in which spectacle lenses are made: what an eye notices.
+inline constexpr double kUsefulVergence_dpt = 1;
 
 /// A direction in which the parameters may move together while the predictions stay (nearly) as they are.
 struct OpenDirection {

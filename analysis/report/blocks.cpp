@@ -15,17 +15,23 @@
 namespace plenolab::detail {
 namespace {
 
-/// Decimals that give the numbers of a column the same number of places, if all are of about the same size;
-/// otherwise each number gets its own significant digits.
+/// Tables of more columns are set smaller and closer, so that they fit the page.
+constexpr std::size_t kColumnsAtEase = 7;
+
+/// Decimals that give the numbers of a column the same number of places, if all are of about the same size
+/// (none for whole numbers); otherwise each number gets its own significant digits.
 std::optional<int> common_decimals(const ReportTable& table, std::size_t column) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
+  bool whole = true;
   for (const auto& row : table.rows) {
     const double* number = std::get_if<double>(&row[column]);
     if (number == nullptr || !std::isfinite(*number) || *number == 0) continue;
     smallest = std::min(smallest, std::abs(*number));
     largest = std::max(largest, std::abs(*number));
+    whole = whole && *number == std::round(*number);
   }
   if (largest == 0 || largest > 10 * smallest || largest >= 1e7 || smallest < 1e-4) return std::nullopt;
+  if (whole) return 0;
   return std::max(0, table.digits - 1 - static_cast<int>(std::floor(std::log10(largest))));
 }
 
@@ -133,7 +139,9 @@ std::string block_html(const Paragraph& paragraph) {
 
 std::string block_html(const ReportTable& table) {
   check_rows(table);
-  std::string html = "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"" +
+  const bool wide = table.headings.size() > kColumnsAtEase;
+  std::string html = fmt::format("<div class=\"{}\"", wide ? "table wide" : "table") +
+                     " tabindex=\"0\" role=\"region\" aria-label=\"" +
                      escape_html(table.caption.empty() ? "Table" : table.caption) +
                      "\"><table class=\"sortable\">\n";
   if (!table.caption.empty()) html += "<caption>" + escape_html(table.caption) + "</caption>\n";

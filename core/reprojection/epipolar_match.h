@@ -54,9 +54,11 @@ class EpipolarLine {
   bool along_x() const { return along_x_; }
   /// +1 or −1: the way along the major axis to nearer surfaces.
   int direction() const { return major_ < 0 ? -1 : 1; }
-  /// Offset along the minor axis at `k` ≥ 0 steps along the major one.
+  /// Offset along the minor axis at `k` ≥ 0 steps along the major one, rounded.
   int minor_offset(int k) const { return offsets_[static_cast<std::size_t>(k)]; }
-  const int* minor_offsets() const { return offsets_.data(); }
+  /// A pixel may land up to half a pixel aside on both axes, so those up to this many from minor_offset() can
+  /// match as well.
+  int minor_reach() const { return minor_ == 0 ? 0 : 1; }
   /// Steps until no pixel of a disparity up to `max_px` can land on the target pixel.
   int steps(float max_px) const {
     const float reach = max_px * static_cast<float>(std::abs(major_)) + 2;

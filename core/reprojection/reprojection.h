@@ -79,11 +79,12 @@ std::array<int, 2> central_position(const SubimageLayout& layout);
 /// first in reading order). Its colour is interpolated (linearly, within its camera's image) at the point
 /// that reprojects to the pixel's centre; depth is not interpolated.
 ///
-/// Epipolar lines are walked pixel by pixel along the axis on which the cameras are farther apart, and
-/// rounded to the nearest pixel on the other, up to the largest disparity of the rendered cameras. In two
-/// steps, both cameras of a row are sources of its subimages, then the top and bottom subimage of a column of
-/// those between them; holes of the first step are filled, but match nothing in the second. Cameras that are
-/// not corners are sources of every subimage in either method.
+/// Epipolar lines are walked pixel by pixel along the axis on which the cameras are farther apart, with the
+/// nearest pixel on the other and its two neighbours, up to the largest disparity of the rendered cameras:
+/// all pixels that can belong to the target pixel. In two steps, both cameras of a row are sources of its
+/// subimages, then the top and bottom subimage of a column of those between them; holes of the first step are
+/// filled, but match nothing in the second. Cameras that are not corners are sources of every subimage in
+/// either method.
 ///
 /// Pixels with non-finite colour are set to black and match nothing. Throws InputError if a corner is
 /// missing, a position is outside the array or given twice, or an image has another size than the layout.

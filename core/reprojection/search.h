@@ -17,11 +17,11 @@ struct SearchTask {
 /// Writes the key of the best candidate of every pixel of the subimage, row by row; 0 where there is none.
 using Search = void (*)(const SearchTask& task, std::span<std::uint64_t> keys);
 
-/// Walks the epipolar line of every pixel in every source.
+/// Walks the epipolar line of every pixel in every source, with the pixels beside it.
 void search_literally(const SearchTask& task, std::span<std::uint64_t> keys);
 
 /// Sends every source pixel to where it lands and keeps the nearest: the same candidates, since each pixel
-/// belongs to one target pixel, and lies on that one's epipolar line or not.
+/// belongs to one target pixel, and the walk for that one tests all pixels that belong to it.
 void search_by_splatting(const SearchTask& task, std::span<std::uint64_t> keys);
 
 }  // namespace plenolab::reprojection

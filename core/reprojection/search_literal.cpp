@@ -4,24 +4,30 @@ namespace plenolab::reprojection {
 
 namespace {
 
+bool inside(int i, int size) {
+  return i >= 0 && i < size;
+}
+
 /// Best candidate of one source for the target pixel (x, y).
 std::uint64_t walk(const Source& source, std::uint32_t index, const EpipolarLine& line,
                    const SearchTask& task, int x, int y) {
   const int columns = task.column - source.column, rows = task.row - source.row;
   std::uint64_t best = 0;
-  const int steps = line.steps(task.max_disparity_px);
-  for (int k = 0; k <= steps; ++k) {
-    const int major = line.direction() * k, minor = line.minor_offset(k);
-    const int sx = x + (line.along_x() ? major : minor), sy = y + (line.along_x() ? minor : major);
-    if (sx < 0 || sy < 0 || sx >= task.size_px || sy >= task.size_px) break;
+  const auto test = [&](int sx, int sy) {
     const float disparity =
         source.disparity_px[static_cast<std::ptrdiff_t>(sy) * source.disparity_stride + sx];
-    if (disparity < 0) continue;
-    if (nearest_pixel(landing(sx, disparity, columns)) != x ||
-        nearest_pixel(landing(sy, disparity, rows)) != y)
-      continue;
-    best = std::max(best, candidate_key(disparity, index, sx, sy));
-  }
+    if (disparity < 0) return;
+    if (nearest_pixel(landing(sx, disparity, columns)) == x &&
+        nearest_pixel(landing(sy, disparity, rows)) == y)
+      best = std::max(best, candidate_key(disparity, index, sx, sy));
+  };
+  const int steps = line.steps(task.max_disparity_px), reach = line.minor_reach();
+  for (int k = 0; k <= steps; ++k)
+    for (int aside = -reach; aside <= reach; ++aside) {
+      const int major = line.direction() * k, minor = line.minor_offset(k) + aside;
+      const int sx = x + (line.along_x() ? major : minor), sy = y + (line.along_x() ? minor : major);
+      if (inside(sx, task.size_px) && inside(sy, task.size_px)) test(sx, sy);
+    }
   return best;
 }
 

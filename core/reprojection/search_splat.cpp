@@ -60,13 +60,9 @@ void splat_along_columns(const Source& source, std::uint32_t index, int rows, in
   }
 }
 
-/// Along slanted lines: a pixel counts only if the walk along the line of the pixel it lands on comes past
-/// it.
+/// Along slanted lines.
 void splat_aslant(const Source& source, std::uint32_t index, int columns, int rows, int n,
                   std::uint64_t* keys) {
-  const EpipolarLine line(columns, rows, n);
-  const int* minor_offsets = line.minor_offsets();
-  const bool along_x = line.along_x();
   std::vector<int> to_column(static_cast<std::size_t>(n)), to_row(static_cast<std::size_t>(n));
   for (int y = 0; y < n; ++y) {
     const float* disparity = row_of(source, y);
@@ -74,11 +70,9 @@ void splat_aslant(const Source& source, std::uint32_t index, int columns, int ro
     land_rows(disparity, y, rows, n, to_row.data());
     for (int x = 0; x < n; ++x) {
       const int at_x = to_column[static_cast<std::size_t>(x)], at_y = to_row[static_cast<std::size_t>(x)];
-      if (!inside(at_x, n) || !inside(at_y, n)) continue;
-      const int major = along_x ? std::abs(x - at_x) : std::abs(y - at_y);
-      if ((along_x ? y - at_y : x - at_x) != minor_offsets[major]) continue;
-      keep_larger(keys[static_cast<std::ptrdiff_t>(at_y) * n + at_x],
-                  candidate_key(disparity[x], index, x, y));
+      if (inside(at_x, n) && inside(at_y, n))
+        keep_larger(keys[static_cast<std::ptrdiff_t>(at_y) * n + at_x],
+                    candidate_key(disparity[x], index, x, y));
     }
   }
 }

@@ -34,6 +34,18 @@ std::string without_unit(const std::string& reading) {
   return reading.substr(0, reading.rfind('_'));
 }
 
+/// Where a reading stands on the axis of records: its record's number; anchors follow the last record.
+double place_of(const CalibrationFit& fit, std::size_t reading) {
+  if (fit.readings[reading].kind != "anchor") return static_cast<double>(fit.readings[reading].record);
+  std::size_t anchors = 0, records = 0;
+  for (std::size_t i = 0; i <= reading; ++i)
+    if (fit.readings[i].kind == "anchor")
+      ++anchors;
+    else
+      records = fit.readings[i].record + 1;
+  return static_cast<double>(records + anchors - 1);
+}
+
 struct Correlation {
   std::string pair;
   double value;
@@ -73,19 +85,22 @@ ReportSection result_section(const CalibrationMeasurements& measurements, const 
   ReportSection section{"What is determined", {}, {}};
   if (!measurements.comment.empty()) section.blocks.emplace_back(Paragraph{measurements.comment});
   section.blocks.emplace_back(Paragraph{paragraphs(calibration_sentences(fit))});
-  section.blocks.emplace_back(table_of(rows, estimate_design(),
-                                       "Parameters and what follows from them. What the readings do not "
-                                       "determine to within a quarter of its own size has no estimate."));
+  section.blocks.emplace_back(
+      table_of(rows, estimate_design(),
+               "Parameters and what follows from them. What the readings do not "
+               "determine to within a quarter of its own size (of 1 dpt for the vergence) has no estimate."));
   return section;
 }
 
 ReportSection conflict_section(const std::vector<DoubtedSource>& doubts) {
   ReportSection section{"What would reconcile the readings", {}, {}};
   section.blocks.emplace_back(Paragraph{paragraphs(doubt_sentences(doubts))});
-  section.blocks.emplace_back(
-      table_of(doubt_rows(doubts), doubt_design(doubts),
-               "Plain least-squares fits without one source, or without two where that reconciles the rest. "
-               "Such a source is not thereby wrong: it is what to measure again."));
+  section.blocks.emplace_back(table_of(
+      doubt_rows(doubts), doubt_design(doubts),
+      "Plain least-squares fits without one source, or without two where that reconciles the rest; a "
+      "source is all readings of a kind, an anchor, or a fixed value. χ² of “nothing” differs from "
+      "that above where a robust loss was used there. A source that reconciles the rest is not "
+      "thereby wrong: it is what to measure again."));
   return section;
 }
 
@@ -113,7 +128,7 @@ std::vector<KeyFigure> key_figures_of(const CalibrationFit& fit) {
 
 ReportPlot residual_plot(const CalibrationFit& fit) {
   ReportPlot plot;
-  plot.plot.x = {.title = "Reading"};
+  plot.plot.x = {.title = "Number of the record in the file's “records”, then anchors"};
   plot.plot.y = {.title = "Predicted − measured", .unit = "standard deviations"};
   plot.plot.key = KeyPosition::kOutside;
   for (const auto& source : sources_in(fit)) {
@@ -123,13 +138,14 @@ ReportPlot residual_plot(const CalibrationFit& fit) {
     for (std::size_t i = 0; i < fit.readings.size(); ++i) {
       const FittedReading& r = fit.readings[i];
       if (r.kind != source.first || (r.kind != "anchor" && r.what != source.second)) continue;
-      series.points.push_back({.x = static_cast<double>(i + 1), .y = r.deviations, .marked = r.outlier});
+      series.points.push_back({.x = place_of(fit, i), .y = r.deviations, .marked = r.outlier});
     }
     plot.plot.series.push_back(std::move(series));
   }
-  const double end = static_cast<double>(fit.readings.size()) + 1;
-  plot.plot.series.push_back(
-      {"± 2 deviations", PlotSeries::Style::kLines, {{0, -2}, {end, -2}, {end, 2}, {0, 2}, {0, -2}}});
+  const double begin = -1, end = fit.readings.empty() ? 1 : place_of(fit, fit.readings.size() - 1) + 1;
+  plot.plot.series.push_back({"± 2 deviations",
+                              PlotSeries::Style::kLines,
+                              {{begin, -2}, {end, -2}, {end, 2}, {begin, 2}, {begin, -2}}});
   plot.plot.marked_title = "outlier";
   plot.caption =
       "Residuals of readings and anchors in their own standard deviations; about one in twenty lies beyond ± "

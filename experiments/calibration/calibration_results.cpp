@@ -59,7 +59,7 @@ void add_correlations(ResultTable& table, const CalibrationUncertainty& uncertai
 void add_summary(ResultTable& table, const CalibrationFit& fit, const Columns& columns) {
   table.add({"chi2", fit.chi2 < kRounding ? 0 : fit.chi2, "1", columns});
   table.add({"degrees_of_freedom", static_cast<double>(fit.degrees_of_freedom), "1", columns});
-  table.add({"p_value", fit.p_value, "1", columns});
+  if (fit.p_value) table.add({"p_value", *fit.p_value, "1", columns});
 }
 
 void add_solution(ResultTable& table, const CalibrationFit& fit) {
@@ -101,15 +101,38 @@ double without_rounding(const CalibrationEstimate& e) {
   return std::abs(e.value) < 1e-9 * *e.sd ? 0 : e.value;
 }
 
+/// Of the display and the height of the camera, which contradictions are about.
+bool is_length(CalibrationParameter parameter) {
+  using P = CalibrationParameter;
+  return parameter == P::kPixelPitch || parameter == P::kLensPitch || parameter == P::kLensDistance ||
+         parameter == P::kFocalLength || parameter == P::kPupilOffset;
+}
+
 /// "d_l [mm]".
 std::string heading_of(const CalibrationEstimate& e) {
   return e.unit == "1" ? e.symbol : fmt::format("{} [{}]", e.symbol, e.unit);
 }
 
+const char* fitted_by(CalibrationLoss loss) {
+  switch (loss) {
+    case CalibrationLoss::kHuber:
+      return "With the Huber loss";
+    case CalibrationLoss::kCauchy:
+      return "With the Cauchy loss";
+    case CalibrationLoss::kNone:
+      break;
+  }
+  return "By plain least squares";
+}
+
 std::string judgement(const CalibrationFit& fit) {
-  return fmt::format("χ² is {} with {} degrees of freedom (p = {}): {}.", format_number(fit.chi2),
-                     fit.degrees_of_freedom, format_number(fit.p_value, 2),
-                     fit.p_value > kTooGood
+  const std::string chi2 = format_number(fit.chi2 < kRounding ? 0 : fit.chi2);
+  if (!fit.p_value)
+    return fmt::format("{} χ² is {} without degrees of freedom: nothing is left to test.",
+                       fitted_by(fit.loss), chi2);
+  return fmt::format("{} χ² is {} with {} degrees of freedom (p = {}): {}.", fitted_by(fit.loss), chi2,
+                     fit.degrees_of_freedom, format_number(*fit.p_value, 2),
+                     *fit.p_value > kTooGood
                          ? "the readings agree even better than their deviations let expect"
                      : !contradicts(fit)      ? "the readings agree within their deviations"
                      : isolated_outliers(fit) ? "the readings agree but for the outliers"
@@ -186,14 +209,26 @@ WideDesign reading_design() {
 }
 
 WideDesign doubt_design(const std::vector<DoubtedSource>& doubts) {
-  WideDesign design{{"without"}, {{"chi2", "χ²"}, {"p_value", "p-value"}}};
+  WideDesign design{{"without"}, {{"chi2", "χ²"}, {"degrees_of_freedom", "dof"}, {"p_value", "p-value"}}};
   if (doubts.empty()) return design;
-  const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
-  for (const CalibrationEstimate& e : all.parameters)
-    if (e.sd.value_or(1) > 0) design.columns.push_back({e.name, heading_of(e)});
-  for (const CalibrationEstimate& e : all.derived)
-    if (e.name == "fov_deg" || e.name == "subimage_per_lens" || e.name == "vergence_dpt")
+  // Columns that are not empty: what is estimated in any of the fits. Of the parameters the lengths, and what
+  // was fixed before it was doubted.
+  const auto add = [&](auto estimates, std::size_t i) {
+    const auto is_estimated = [&](const DoubtedSource& doubt) {
+      return (doubt.fit.uncertainty.*estimates)[i].sd.value_or(0) > 0;
+    };
+    const CalibrationEstimate& e = (doubts.front().fit.uncertainty.*estimates)[i];
+    if (std::any_of(doubts.begin(), doubts.end(), is_estimated))
       design.columns.push_back({e.name, heading_of(e)});
+  };
+  const CalibrationUncertainty& all = doubts.front().fit.uncertainty;
+  for (std::size_t i = 0; i < all.parameters.size(); ++i)
+    if (is_length(static_cast<CalibrationParameter>(i)) || all.parameters[i].sd == 0.0)
+      add(&CalibrationUncertainty::parameters, i);
+  for (std::size_t i = 0; i < all.derived.size(); ++i)
+    if (const std::string& name = all.derived[i].name;
+        name == "fov_deg" || name == "subimage_per_lens" || name == "vergence_dpt")
+      add(&CalibrationUncertainty::derived, i);
   return design;
 }
 
@@ -229,11 +264,29 @@ std::vector<std::string> calibration_sentences(const CalibrationFit& fit) {
       sentences.push_back(
           fmt::format("{}: {} was {} and should be {}, {:.1f} deviations away (weight {:.2f}).",
                       r.kind == "anchor" ? "An anchor lies far off"
-                                         : fmt::format("Record {} ({}) lies far off", r.record, r.kind),
+                                         : fmt::format("records[{}] ({}) lies far off", r.record, r.kind),
                       r.what, format_number(r.measured, 5), format_number(r.predicted, 5),
                       std::abs(r.deviations), r.weight));
   return sentences;
 }
+
+namespace {
+
+std::string no_single_source(const std::vector<DoubtedSource>& doubts, int pairs) {
+  if (pairs > 0)
+    return fmt::format(
+        "No single source explains the contradiction; {} pairs of them do, each with other lengths.", pairs);
+  // A second source takes at least one more degree of freedom.
+  const bool pairs_can_be_tested =
+      std::any_of(doubts.begin() + 1, doubts.end(),
+                  [](const DoubtedSource& doubt) { return doubt.fit.degrees_of_freedom > 1; });
+  return pairs_can_be_tested
+             ? "No source explains the contradiction, nor do any two of them that leave something to test."
+             : "No single source explains the contradiction, and without any two of them nothing is left to "
+               "test.";
+}
+
+}  // namespace
 
 std::vector<std::string> doubt_sentences(const std::vector<DoubtedSource>& doubts) {
   std::vector<std::string> sentences;
@@ -246,16 +299,13 @@ std::vector<std::string> doubt_sentences(const std::vector<DoubtedSource>& doubt
     }
     const LeftOutReading& left_out = doubt.left_out.front();
     sentences.push_back(fmt::format(
-        "Without the source “{}” the rest {}, and predicts {} {} instead of {}.", doubt.source,
-        doubt.fit.degrees_of_freedom > 0 ? fmt::format("agrees (p = {})", format_number(doubt.fit.p_value, 2))
-                                         : "has no reading to spare",
+        "Without the source “{}” {}, and {} would be {} instead of {}.", doubt.source,
+        doubt.fit.p_value ? fmt::format("the rest agrees (p = {})", format_number(*doubt.fit.p_value, 2))
+                          : "nothing is left to test",
         left_out.what, format_number(left_out.predicted), format_number(left_out.measured)));
   }
   if (sentences.empty() && !doubts.empty() && contradicts(doubts.front().fit))
-    sentences.push_back(pairs > 0 ? fmt::format("No single source explains the contradiction; {} pairs of "
-                                                "them do, each with other lengths.",
-                                                pairs)
-                                  : "No source, nor any two of them, explains the contradiction.");
+    sentences.push_back(no_single_source(doubts, pairs));
   return sentences;
 }
 

@@ -10,15 +10,16 @@
 
 namespace plenolab {
 
-/// Rows of a fit. Columns: parameter, role (fixed, anchored, free, derived), record, kind, reading.
+/// Rows of a fit. Columns: parameter, role (fixed, anchored, free, derived), record (from 0, its place in the
+/// file's "records"), kind, reading.
 ///   estimate, sd, interval_low, interval_high   of what is determined; nominal and determined (0 or 1) of
 ///   all correlation (columns parameter, other) unknowns, rank, condition_number, chi2, degrees_of_freedom,
-///   p_value, iterations, starts, starts_agreeing, singular_value (column number) measured, predicted,
-///   deviations, weight, outlier (0 or 1) of every reading and anchor
+///   p_value (absent without degrees of freedom), iterations, starts, starts_agreeing, singular_value (column
+///   number) measured, predicted, deviations, weight, outlier (0 or 1) of every reading and anchor
 ResultTable calibration_rows(const CalibrationMeasurements& measurements, const CalibrationFit& fit);
 
-/// Rows of fits without each source (column without): chi2, degrees_of_freedom, p_value, estimates, and
-/// left_out_measured, left_out_predicted.
+/// Rows of plain least-squares fits without each source (column without): chi2, degrees_of_freedom, p_value,
+/// estimates, and left_out_measured, left_out_predicted.
 ResultTable doubt_rows(const std::vector<DoubtedSource>& doubts);
 
 /// Rows of coverage (column parameter): coverage with its 95 % Wilson interval (coverage_low, coverage_high),

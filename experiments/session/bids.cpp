@@ -41,12 +41,13 @@ void write_description(const StudyDefinition& study, const fs::path& out) {
               {"BIDSVersion", "1.8.0"},
               {"DatasetType", "raw"},
               {"GeneratedBy", Json::array({{{"Name", "plenolab"}, {"Version", build_info().version}}})}});
+  write_text_file(out / ".bidsignore", "trials.csv\nevents.csv\nleft_out.csv\nstudy.json\nrun.json\n");
   write_text_file(
       out / "README",
       fmt::format("{}\n\nDelayed matching to sample with two intervals: which of two images is equal to "
                   "the reference?\nOne run for each block, in the order in which participants had them. "
                   "trials.csv and events.csv hold the same\ntrials and all events in one table each; "
-                  "study.json is the study that was run.\n",
+                  "left_out.csv names the sessions that gave none; study.json is the study that was run.\n",
                   study.title));
 }
 
@@ -94,24 +95,26 @@ void write_participants(std::span<const ExportedSession> sessions, const StudyDe
 void write_sidecars(const fs::path& out) {
   const auto described = [](const char* text) { return Json{{"Description", text}}; };
   const auto seconds = [](const char* text) { return Json{{"Description", text}, {"Units", "s"}}; };
-  write_json(out / "task-matching_beh.json",
-             {{"TaskName", "matching"},
-              {"TaskDescription", "Choose which of two images is equal to the reference"},
-              {"block", described("id of the block")},
-              {"display", described("light-field or monitor")},
-              {"trial", described("1-based in the block")},
-              {"image", described("id of the image")},
-              {"catch", described("1: the test image is plainly different")},
-              {"test_first", described("1: the left trigger showed the test image")},
-              {"chose_test", described("1: took the test image for the reference (wrong)")},
-              {"response_time", seconds("from the first black frame of the trial to the choice")},
-              {"views_reference", described("times the reference was shown")},
-              {"views_a", described("times the image of the left trigger was shown")},
-              {"views_b", described("times the image of the right trigger was shown")},
-              {"refused", described("choices that were refused")},
-              {"attempt", described("more than 1: the trial was interrupted and repeated")},
-              {"dropped_frames", described("frames that took more than one and a half display intervals")},
-              {"longest_frame", seconds("longest time between two flips")}});
+  write_json(
+      out / "task-matching_beh.json",
+      {{"TaskName", "matching"},
+       {"TaskDescription", "Choose which of two images is equal to the reference"},
+       {"block", described("id of the block")},
+       {"display", described("light-field or monitor")},
+       {"trial", described("1-based in the block")},
+       {"image", described("id of the image")},
+       {"catch", described("1: the test image is plainly different")},
+       {"test_first", described("1: the left trigger showed the test image")},
+       {"chose_test", described("1: took the test image for the reference (wrong)")},
+       {"response_time", seconds("from the first black frame of the trial to the choice, without pauses")},
+       {"views_reference", described("times the reference was shown")},
+       {"views_a", described("times the image of the left trigger was shown")},
+       {"views_b", described("times the image of the right trigger was shown")},
+       {"refused", described("choices that were refused")},
+       {"attempt", described("more than 1: the trial was interrupted and repeated")},
+       {"paused", seconds("pad unplugged, or asked whether to stop; not in response_time")},
+       {"dropped_frames", described("frames that took more than one and a half display intervals")},
+       {"longest_frame", seconds("longest time between two flips")}});
   write_json(out / "task-matching_events.json",
              {{"TaskName", "matching"},
               {"onset", seconds("from the first event of the run of the program in this block")},
@@ -129,13 +132,15 @@ std::string beh_tsv(const ExportedSession& session, int position) {
   std::string text =
       "block\tdisplay\ttrial\timage\tcatch\ttest_first\tchose_test\tresponse_time\tviews_reference\tviews_"
       "a\tviews_b\t"
-      "refused\tattempt\tdropped_frames\tlongest_frame\n";
+      "refused\tattempt\tpaused\tdropped_frames\tlongest_frame\n";
   for (const TrialRecord& t : session.summary.trials)
     if (t.position == position)
-      text += fmt::format("{}\t{}\t{}\t{}\t{:d}\t{:d}\t{:d}\t{:.6f}\t{}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\n",
-                          t.block, name_of(t.display), t.trial, t.image, t.catch_trial, t.test_first,
-                          t.chose_test, t.response_s, t.views_reference, t.views_a, t.views_b, t.refused,
-                          t.attempt, t.dropped_frames, static_cast<double>(t.longest_frame_us) * 1e-6);
+      text +=
+          fmt::format("{}\t{}\t{}\t{}\t{:d}\t{:d}\t{:d}\t{:.6f}\t{}\t{}\t{}\t{}\t{}\t{:.6f}\t{}\t{:.6f}\n",
+                      t.block, name_of(t.display), t.trial, t.image, t.catch_trial, t.test_first,
+                      t.chose_test, t.response_s, t.views_reference, t.views_a, t.views_b, t.refused,
+                      t.attempt, static_cast<double>(t.paused_us) * 1e-6, t.dropped_frames,
+                      static_cast<double>(t.longest_frame_us) * 1e-6);
   return text;
 }
 
@@ -156,7 +161,6 @@ std::string events_tsv(const ExportedSession& session, int position) {
 }  // namespace
 
 void write_bids(std::span<const ExportedSession> sessions, const fs::path& out) {
-  if (sessions.empty()) return;
   const StudyDefinition& study = sessions.front().study;
   write_description(study, out);
   write_participants(sessions, study, out);

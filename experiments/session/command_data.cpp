@@ -1,20 +1,19 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <map>
 #include <memory>
 
-#include "analysis/timing.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/output.h"
-#include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/example_study.h"
 #include "experiments/session/export.h"
-#include "experiments/session/simulate.h"
+#include "experiments/session/session_folders.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -38,112 +37,37 @@ void write_new_study(const NewOptions& options) {
       (folder / "study.json").string(), study.images.size(), study.blocks.size());
 }
 
-struct SimulateOptions {
-  CommonOptions common;
-  std::string study, out, observer = "ideal", wrong_file;
-  std::vector<std::string> wrong;
-  int participants = 34;
-  double rate = -1;
-  bool durable = false, echo = false;
-};
-
-/// "image=0.3" or "block/image=0.3".
-void add_wrong(WrongProbabilities& wrong, const std::string& text) {
-  const std::size_t equals = text.rfind('=');
-  const CLI::Validator probability = number_between(0, 1);
-  if (equals == std::string::npos || equals == 0 ||
-      !probability(std::string(text.substr(equals + 1))).empty())
-    throw UsageError(fmt::format("--wrong: '{}' is not IMAGE=P or BLOCK/IMAGE=P with P from 0 to 1", text));
-  wrong[text.substr(0, equals)] = std::stod(text.substr(equals + 1));
-}
-
-SimulationOptions simulation_of(const SimulateOptions& options) {
-  SimulationOptions simulation;
-  simulation.participants = options.participants;
-  simulation.observer.kind = observer_named(options.observer);
-  simulation.observer.rate = options.rate < 0 ? default_rate(simulation.observer.kind) : options.rate;
-  simulation.observer.seed = options.common.seed;
-  if (!options.wrong_file.empty()) simulation.observer.wrong = read_wrong_probabilities(options.wrong_file);
-  for (const std::string& text : options.wrong) add_wrong(simulation.observer.wrong, text);
-  if (options.durable) simulation.durability = Durability::kPowerCut;
-  if (options.echo)
-    simulation.on_event = [](const SessionEvent& e) {
-      fmt::print("{} {} {}\n", e.sequence, e.kind, e.what);
-      std::fflush(stdout);
-    };
-  return simulation;
-}
-
-/// Throws InputError if a probability is for an image or block that the study does not have.
-void require_known(const WrongProbabilities& wrong, const StudyDefinition& study) {
-  for (const auto& entry : wrong) {
-    bool known = false;
-    for (const StudyBlock& block : study.blocks)
-      for (const std::string& image : block.images)
-        known = known || entry.first == image || entry.first == block.id + "/" + image;
-    if (!known)
-      throw InputError(fmt::format("the study shows no image '{}' that could be taken wrongly", entry.first));
-  }
-}
-
-void add_wrong_rows(ResultTable& table, const StudyDefinition& study,
-                    const std::vector<TrialRecord>& trials) {
-  for (const StudyBlock& block : study.blocks)
-    for (const std::string& image : block.images) {
-      int wrong = 0, count = 0;
-      for (const TrialRecord& trial : trials)
-        if (trial.block == block.id && trial.image == image) ++count, wrong += trial.chose_test ? 1 : 0;
-      const std::vector<std::pair<std::string, Cell>> columns{{"block", block.id}, {"image", image}};
-      table.add({"wrong_choices", static_cast<double>(wrong), "trials", columns});
-      table.add({"trials", static_cast<double>(count), "trials", columns});
-    }
-}
-
-void simulate(const Invocation& invocation, const SimulateOptions& options) {
-  const StudyDefinition study = read_study(options.study);
-  SimulationOptions simulation = simulation_of(options);
-  require_known(simulation.observer.wrong, study);
-  Provenance provenance = begin_run(invocation, options.common);
-  provenance.parameters["observer"] = options.observer;
-  provenance.parameters["rate"] = simulation.observer.rate;
-  provenance.parameters["participants"] = static_cast<long long>(options.participants);
-  add_input(provenance, study_file(options.study));
-  ProgressBar bar("simulate");
-  simulation.progress = bar.callback();
-  const std::vector<TrialRecord> trials = simulate_study(options.study, options.out, simulation);
-  bar.clear();
-  ResultTable table;
-  add_wrong_rows(table, study, trials);
-  if (!output_is_for_programs(options.common) && !options.echo)
-    fmt::print("{}",
-               to_wide_text(table, {"block", "image"}, {{"wrong_choices", "wrong"}, {"trials", "trials"}}));
-  write_results(table, provenance, options.common);
-  tell(options.common, fmt::format("{} simulated sessions are in {}", options.participants, options.out));
-}
-
 struct ListOptions {
   CommonOptions common;
   std::string folder;
 };
 
+/// Sessions that reached trials, by mode and order of blocks.
+using OrderCounts = std::map<std::pair<std::string, std::string>, int>;
+
+void add_session_rows(ResultTable& table, OrderCounts& orders, const StoredSession& stored) {
+  const std::string mode = name_of(stored.identity.mode);
+  const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
+  const std::vector<std::pair<std::string, Cell>> columns{{"session", stored.identity.participant},
+                                                          {"mode", mode},
+                                                          {"state", std::string(name_of(summary.state))},
+                                                          {"created", stored.identity.created_utc},
+                                                          {"study", stored.identity.study_hash.substr(0, 8)}};
+  table.add({"trials_completed", static_cast<double>(summary.trials.size()), "trials", columns});
+  table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
+  table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
+  table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
+  if (!summary.trials.empty()) ++orders[{mode, summary.trials.front().order}];
+}
+
 void list_sessions(const Invocation& invocation, const ListOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   ResultTable table;
   std::vector<std::string> unread;
+  OrderCounts orders;
   for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
     try {
-      const StoredSession stored = read_session(folder);
-      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
-      const std::vector<std::pair<std::string, Cell>> columns{
-          {"session", stored.identity.participant},
-          {"mode", std::string(name_of(stored.identity.mode))},
-          {"state", std::string(name_of(summary.state))},
-          {"created", stored.identity.created_utc},
-          {"study", stored.identity.study_hash.substr(0, 8)}};
-      table.add({"trials_completed", static_cast<double>(summary.trials.size()), "trials", columns});
-      table.add({"trials_planned", static_cast<double>(summary.trials_planned), "trials", columns});
-      table.add({"runs", static_cast<double>(summary.runs), "runs", columns});
-      table.add({"events", static_cast<double>(stored.events.size()), "events", columns});
+      add_session_rows(table, orders, read_session(folder));
     } catch (const InputError& error) {
       unread.push_back(error.what());
     }
@@ -154,14 +78,24 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
                                    {"trials_planned", "planned"},
                                    {"runs", "runs"},
                                    {"events", "events"}}));
+  for (const auto& [which, count] : orders) {
+    tell(options.common,
+         fmt::format("{} sessions with trials in the order {}: {}", which.first, which.second, count));
+    table.add({"sessions_with_trials",
+               static_cast<double>(count),
+               "sessions",
+               {{"mode", which.first}, {"order", which.second}}});
+  }
   for (const std::string& line : unread) tell(options.common, "not read: " + line);
+  table.add({"sessions_not_read", static_cast<double>(unread.size()), "sessions", {}});
   write_results(table, provenance, options.common);
 }
 
-struct ExportOptions {
+struct ExportCommandOptions {
   CommonOptions common;
   std::string folder, out, mode = "real";
   bool force = false;
+  ExportOptions choices;
 };
 
 SessionMode mode_named(const std::string& name) {
@@ -170,7 +104,7 @@ SessionMode mode_named(const std::string& name) {
                            : SessionMode::kSimulated;
 }
 
-void export_command(const Invocation& invocation, const ExportOptions& options) {
+void export_command(const Invocation& invocation, const ExportCommandOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["mode"] = options.mode;
   const fs::path sessions = existing_sessions_folder(options.folder);
@@ -178,16 +112,23 @@ void export_command(const Invocation& invocation, const ExportOptions& options) 
   const std::string item = fmt::format("{} --mode {}", item_path(sessions), options.mode);
   write_result_folder({options.out, "session export", item, options.force}, provenance,
                       [&](const fs::path& folder) {
-                        counts = export_sessions(sessions, mode_named(options.mode), folder);
-                        fs::permissions(folder, fs::perms::owner_all);
+                        counts = export_sessions(sessions, mode_named(options.mode), folder, options.choices);
                       });
   ResultTable table;
-  for (const auto& [quantity, value] :
-       {std::pair{"sessions", counts.sessions}, std::pair{"sessions_done", counts.done},
-        std::pair{"trials", counts.trials}, std::pair{"events", counts.events}})
-    table.add({quantity, static_cast<double>(value), quantity, {{"mode", options.mode}}});
+  const auto add = [&](const char* quantity, int value, const char* unit, const std::string& order = "") {
+    std::vector<std::pair<std::string, Cell>> columns{{"mode", options.mode}};
+    if (!order.empty()) columns.push_back({"order", order});
+    table.add({quantity, static_cast<double>(value), unit, columns});
+  };
+  add("sessions", counts.sessions, "sessions");
+  add("sessions_done", counts.done, "sessions");
+  for (const auto& entry : counts.orders) add("sessions_with_trials", entry.second, "sessions", entry.first);
+  add("sessions_left_out", static_cast<int>(counts.left_out.size()), "sessions");
+  add("trials", counts.trials, "trials");
+  add("events", counts.events, "events");
   emit_results(table, provenance, options.common);
-  for (const std::string& line : counts.left_out) tell(options.common, "left out: " + line);
+  for (const LeftOutSession& left : counts.left_out)
+    tell(options.common, fmt::format("left out: {}: {}", left.session, left.reason));
   tell(options.common, fmt::format("wrote trials.csv, events.csv and a BIDS data set to {}", options.out));
 }
 
@@ -197,7 +138,8 @@ void add_session_new(CLI::App& session, const Invocation&) {
   CLI::App& app = *session.add_subcommand("new", "Write a study to start from");
   auto options = std::make_shared<NewOptions>();
   app.add_option("folder", options->folder, "Folder for the study, which must be empty or not exist")
-      ->required();
+      ->required()
+      ->check(not_empty());
   app.add_option(
          "--images", options->images,
          "Image set of 'plenolab reproject --image-set', or folder of pairs NAME-reference.png and "
@@ -208,42 +150,12 @@ void add_session_new(CLI::App& session, const Invocation&) {
   app.callback([options] { write_new_study(*options); });
 }
 
-void add_session_simulate(CLI::App& session, const Invocation& invocation) {
-  CLI::App& app = *session.add_subcommand("simulate", "Run simulated participants through the whole study");
-  auto options = std::make_shared<SimulateOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
-  app.add_option("-o,--out", options->out,
-                 "Folder of the simulated sessions; interrupted ones there are resumed")
-      ->required()
-      ->check(not_empty());
-  app.add_option("--participants", options->participants, "How many")
-      ->check(whole_number(1, 10000))
-      ->capture_default_str();
-  app.add_option("--observer", options->observer, "What they are like")
-      ->check(one_of(observer_names()))
-      ->capture_default_str();
-  app.add_option("--rate", options->rate,
-                 "Share of trials with a lapse (default 0.1), a bias to the left (0.8), impatience or an "
-                 "unplugged pad (0.5)")
-      ->check(number_between(0, 1));
-  app.add_option("--wrong", options->wrong,
-                 "IMAGE=P or BLOCK/IMAGE=P: probability of being wrong; can be repeated")
-      ->take_all()
-      ->allow_extra_args(false);
-  app.add_option("--wrong-file", options->wrong_file, "CSV with the columns block, image, wrong")
-      ->check(not_empty());
-  app.add_flag("--durable", options->durable, "Wait for the disk at every event, as in real sessions");
-  app.add_flag("--echo", options->echo, "Print every event once it is stored");
-  add_common_options(app, options->common);
-  app.footer(
-      "Example: plenolab session simulate study --participants 34 --wrong monitor/near=0.2 -o simulated");
-  app.callback([options, &invocation] { simulate(invocation, *options); });
-}
-
 void add_session_list(CLI::App& session, const Invocation& invocation) {
   CLI::App& app = *session.add_subcommand("list", "What sessions there are and how far they have come");
   auto options = std::make_shared<ListOptions>();
-  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")
+      ->required()
+      ->check(not_empty());
   add_common_options(app, options->common);
   app.footer("Example: plenolab session list study");
   app.callback([options, &invocation] { list_sessions(invocation, *options); });
@@ -252,12 +164,18 @@ void add_session_list(CLI::App& session, const Invocation& invocation) {
 void add_session_export(CLI::App& session, const Invocation& invocation) {
   CLI::App& app =
       *session.add_subcommand("export", "Write trials and events as tables, and as a BIDS data set");
-  auto options = std::make_shared<ExportOptions>();
-  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")->required();
+  auto options = std::make_shared<ExportCommandOptions>();
+  app.add_option("folder", options->folder, "Folder of sessions, or of the study that has them")
+      ->required()
+      ->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder for the tables")->required()->check(not_empty());
   app.add_option("--mode", options->mode, "Which sessions; they are never mixed")
       ->check(one_of({"real", "pilot", "simulated"}))
       ->capture_default_str();
+  app.add_flag("--leave-out-damaged", options->choices.leave_out_damaged,
+               "Go on without sessions that cannot be read; otherwise nothing is exported");
+  app.add_flag("--wall-clock", options->choices.wall_clock,
+               "With date and time of every event, which may tell who somebody is");
   add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer("Example: plenolab session export study -o exported");

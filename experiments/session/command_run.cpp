@@ -8,12 +8,16 @@
 
 #include "core/base/error.h"
 #include "experiments/cli/checks.h"
+#include "experiments/cli/stop_signals.h"
 #include "experiments/cli/suggest.h"
 #include "experiments/session/commands.h"
 #include "experiments/session/runner.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/sdl_stage.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/simulate.h"
 #include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -31,10 +35,9 @@ struct RunOptions {
   StageOptions stage;
 };
 
-struct ResumeOptions {
-  std::string study, out, participant;
+struct ResumeOptions : RunOptions {
+  std::string participant;
   bool yes = false;
-  StageOptions stage;
 };
 
 void add_stage_options(CLI::App& app, StageOptions& options) {
@@ -62,32 +65,66 @@ void require_trying_out(const StageOptions& options, SessionMode mode) {
   if (!options.screenshots.empty()) throw UsageError("--screenshots is for pilots: taking them costs time");
 }
 
-void tell_end(const SessionStore& store, SessionState state) {
-  const std::string& who = store.identity().participant;
-  if (state == SessionState::kInterrupted)
-    fmt::print(
-        "session {} was stopped; everything so far is stored in {}; 'plenolab session resume' goes on\n", who,
-        store.folder().string());
-  else
-    fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
+void warn(const std::string& line) {
+  fmt::print(stderr, "plenolab: {}\n", line);
+}
+
+/// The command that goes on with a session.
+std::string resume_command(const RunOptions& options, const std::string& participant) {
+  return fmt::format("plenolab session resume {} {}{}", options.study, participant,
+                     options.out.empty() ? "" : " -o " + options.out);
 }
 
 /// Makes sure of display and pad before `begin` creates or opens the session: nothing is left by a failed
 /// start.
-void run_on_screen(const std::function<SessionStore()>& begin, const fs::path& images,
-                   const StageOptions& options) {
-  const SdlLibrary sdl(SdlLibrary::Use::kScreen);
-  SdlStage stage({options.window, options.screenshots});
-  if (!options.keyboard && !stage.has_pad())
+SessionState run_on_stage(SdlStage& stage, const StudyDefinition& study, SessionMode mode,
+                          const std::function<SessionStore()>& begin, const RunOptions& options) {
+  const StageOptions& how = options.stage;
+  const StageEquipment equipment = stage.equipment();
+  if (!how.keyboard && equipment.pad.empty())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
+  if (!equipment.audio) warn("there is no audio: no tone will be heard");
+  require_displays(stage, study, mode, how.any_timing);
   SessionStore store = begin();
-  fmt::print("session {} ({}) {}\n", store.identity().participant,
-             store.identity().mode == SessionMode::kPilot ? "PILOT: not data" : "real",
+  const std::string& who = store.identity().participant;
+  const std::string kept = fmt::format("everything so far is stored in {}; '{}' goes on",
+                                       store.folder().string(), resume_command(options, who));
+  say_on_stop(kept);
+  fmt::print("session {} ({}) {}\n", who, mode == SessionMode::kPilot ? "PILOT: not data" : "real",
              store.events().empty() ? "begins" : "goes on");
   std::fflush(stdout);
-  RunnerOptions runner{.images = images, .any_timing = options.any_timing};
-  if (options.echo) runner.on_event = print_event;
-  tell_end(store, run_session(store, stage, runner));
+  RunnerOptions runner{
+      .images = study_folder(options.study), .any_timing = how.any_timing, .keyboard = how.keyboard};
+  if (how.echo) runner.on_event = print_event;
+  const SessionState state = run_session(store, stage, runner);
+  if (state == SessionState::kInterrupted)
+    fmt::print("session {} was stopped; {}\n", who, kept);
+  else
+    fmt::print("session {}: {}; stored in {}\n", who, name_of(state), store.folder().string());
+  return state;
+}
+
+/// A stop signal ends the session as closing its window does, and then the program.
+void run_on_screen(const StudyDefinition& study, SessionMode mode, const std::function<SessionStore()>& begin,
+                   const RunOptions& options) {
+  StopRequest stop;
+  SessionState state;
+  {
+    const SdlLibrary sdl(SdlLibrary::Use::kScreen);
+    SdlStage stage({options.stage.window, options.stage.screenshots, [&] { return stop.requested(); }});
+    state = run_on_stage(stage, study, mode, begin, options);
+  }
+  if (state == SessionState::kInterrupted) stop.end_if_requested();
+}
+
+/// Nobody can agree to the text that `session new` writes.
+void require_own_consent(const StudyDefinition& study, SessionMode mode, const fs::path& file) {
+  if (!is_placeholder(study.consent)) return;
+  const std::string what = fmt::format(
+      "the consent text in {} is still the placeholder: write the one that your ethics board agreed to",
+      study_file(file).string());
+  if (mode == SessionMode::kReal) throw InputError(what + " before the first participant comes");
+  warn(what + "; pilots only until then");
 }
 
 /// The mode in which a study is run: a pilot study only as one, any study with --pilot as one.
@@ -104,25 +141,34 @@ void run_new(const RunOptions& options) {
   const StudyDefinition study = read_study(options.study);
   const SessionMode mode = mode_of(study, options);
   require_trying_out(options.stage, mode);
+  require_own_consent(study, mode, options.study);
   const fs::path sessions = sessions_folder(options.out, options.study);
-  require_same_study(sessions, study, mode);
+  for (const std::string& line : require_same_study(sessions, study, mode)) warn("not read: " + line);
   const auto begin = [&] {
     return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
                                 Durability::kPowerCut);
   };
-  run_on_screen(begin, study_folder(options.study), options.stage);
+  run_on_screen(study, mode, begin, options);
 }
 
-/// Sessions of people that were interrupted; those in use by another station are not.
+bool is_interrupted(const StoredSession& stored) {
+  return stored.identity.mode != SessionMode::kSimulated &&
+         summarise(stored.identity, study_of(stored.identity), stored.events).state ==
+             SessionState::kInterrupted;
+}
+
+/// Sessions of people that were interrupted; those in use by another station are not, and those that cannot
+/// be read are told and passed by.
 std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
   std::vector<std::string> names;
   for (const fs::path& folder : session_folders(sessions)) {
     try {
+      if (!holds_session(folder)) continue;
       const StoredSession stored = read_session(folder);
-      const SessionSummary summary = summarise(stored.identity, study_of(stored.identity), stored.events);
-      if (summary.state == SessionState::kInterrupted && stored.identity.mode != SessionMode::kSimulated)
-        names.push_back(stored.identity.participant);
+      if (is_interrupted(stored)) names.push_back(stored.identity.participant);
     } catch (const DatabaseInUse&) {
+    } catch (const InputError& error) {
+      warn(std::string("not read: ") + error.what());
     }
   }
   return names;
@@ -130,13 +176,15 @@ std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
 
 /// The session named, or the only interrupted one.
 std::string session_to_resume(const ResumeOptions& options, const fs::path& sessions) {
-  const std::vector<std::string> names = interrupted_sessions(sessions);
-  if (!options.participant.empty()) {
-    if (std::find(names.begin(), names.end(), options.participant) == names.end())
-      throw UsageError(fmt::format("{} holds no interrupted session '{}'{}", sessions.string(),
-                                   options.participant, did_you_mean(options.participant, names)));
+  const auto folders = session_folders(sessions);
+  const bool named = !options.participant.empty();
+  if (named && std::find(folders.begin(), folders.end(), sessions / options.participant) != folders.end() &&
+      is_interrupted(read_session(sessions / options.participant)))
     return options.participant;
-  }
+  const std::vector<std::string> names = interrupted_sessions(sessions);
+  if (named)
+    throw UsageError(fmt::format("{} holds no interrupted session '{}'{}", sessions.string(),
+                                 options.participant, did_you_mean(options.participant, names)));
   if (names.empty()) throw InputError(fmt::format("{} holds no interrupted session", sessions.string()));
   if (names.size() == 1) return names.front();
   std::string list;
@@ -162,15 +210,17 @@ void resume(const ResumeOptions& options) {
   const fs::path folder = sessions / session_to_resume(options, sessions);
   const StoredSession stored = read_session(folder);
   require_trying_out(options.stage, stored.identity.mode);
-  if (stored.identity.study_hash != study_hash(study))
-    throw InputError(fmt::format("{} ran another version of the study than {}: it cannot go on with this one",
-                                 folder.string(), study_file(options.study).string()));
+  require_own_consent(study, stored.identity.mode, options.study);
+  const std::string different = difference(stored.identity, study);
+  if (!different.empty())
+    throw InputError(fmt::format("{} {} than the one of {}: it cannot go on with it", folder.string(),
+                                 different, study_file(options.study).string()));
   if (!options.yes && !agreed_to_resume(stored)) {
     fmt::print("nothing was changed\n");
     return;
   }
-  run_on_screen([&] { return SessionStore::open(folder, Durability::kPowerCut); },
-                study_folder(options.study), options.stage);
+  const auto begin = [&] { return SessionStore::open(folder, Durability::kPowerCut); };
+  run_on_screen(study, stored.identity.mode, begin, options);
 }
 
 }  // namespace
@@ -186,7 +236,7 @@ fs::path existing_sessions_folder(const fs::path& given) {
 void add_session_run(CLI::App& session) {
   CLI::App& app = *session.add_subcommand("run", "Run the session of the next participant");
   auto options = std::make_shared<RunOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
+  app.add_option("study", options->study, "Study file, or its folder")->required()->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
       ->check(not_empty());
   app.add_flag("--pilot", options->pilot, "Try the study out: stored and exported as a pilot, never as data");
@@ -199,9 +249,9 @@ void add_session_resume(CLI::App& session) {
   CLI::App& app =
       *session.add_subcommand("resume", "Go on with an interrupted session; its last trial is repeated");
   auto options = std::make_shared<ResumeOptions>();
-  app.add_option("study", options->study, "Study file, or its folder")->required();
-  app.add_option("participant", options->participant,
-                 "Session to resume (default: the only interrupted one)");
+  app.add_option("study", options->study, "Study file, or its folder")->required()->check(not_empty());
+  app.add_option("participant", options->participant, "Session to resume (default: the only interrupted one)")
+      ->check(not_empty());
   app.add_option("-o,--out", options->out, "Folder of the sessions (default: sessions beside the study file)")
       ->check(not_empty());
   app.add_flag("--yes", options->yes, "Do not ask first");

@@ -11,6 +11,7 @@ namespace plenolab {
 void add_session_new(CLI::App& session, const Invocation& invocation);
 void add_session_run(CLI::App& session);
 void add_session_resume(CLI::App& session);
+void add_session_withdraw(CLI::App& session);
 void add_session_simulate(CLI::App& session, const Invocation& invocation);
 void add_session_list(CLI::App& session, const Invocation& invocation);
 void add_session_export(CLI::App& session, const Invocation& invocation);

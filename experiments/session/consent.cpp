@@ -1,11 +1,18 @@
 #include "experiments/session/consent.h"
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
+
+#include "core/base/error.h"
+#include "core/base/file.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::uintmax_t kMostBytes = 4u << 20;
 
 fs::path consent_file(const fs::path& sessions, const std::string& participant) {
   return sessions / "consent" / (participant + ".json");
@@ -13,13 +20,32 @@ fs::path consent_file(const fs::path& sessions, const std::string& participant) 
 
 }  // namespace
 
-bool consent_exists(const fs::path& sessions, const std::string& participant) {
-  return fs::exists(consent_file(sessions, participant));
+bool consent_exists(const fs::path& sessions, const SessionIdentity& identity, const ConsentText& asked) {
+  const fs::path file = consent_file(sessions, identity.participant);
+  if (!fs::exists(file)) return false;
+  const auto json = nlohmann::json::parse(read_text_file(file, kMostBytes), nullptr, false);
+  const auto holds = [&](const char* key, const std::string& value) {
+    const auto found = json.find(key);
+    return found != json.end() && found->is_string() && found->get<std::string>() == value;
+  };
+  const auto refuse = [&](const char* why) {
+    throw InputError(
+        fmt::format("the consent {} {}: move it away, and consent is asked again", file.string(), why));
+  };
+  if (!json.is_object()) refuse("is damaged");
+  if (!holds("participant", identity.participant) || !holds("session_created_utc", identity.created_utc))
+    refuse("was given for another session");
+  if (!holds("text", asked.text)) refuse("was given to another text");
+  if (json.contains("guardian_text") && !holds("guardian_text", asked.guardian_text))
+    refuse("was given to another text for the guardian");
+  return true;
 }
 
 void store_consent(const fs::path& sessions, const ConsentRecord& consent, Durability durability) {
-  nlohmann::ordered_json json{
-      {"participant", consent.participant}, {"given_utc", consent.given_utc}, {"text", consent.text}};
+  nlohmann::ordered_json json{{"participant", consent.participant},
+                              {"session_created_utc", consent.session_created_utc},
+                              {"given_utc", consent.given_utc},
+                              {"text", consent.text}};
   if (!consent.guardian_text.empty()) json["guardian_text"] = consent.guardian_text;
   if (!consent.name.empty()) json["name"] = consent.name;
   if (!consent.guardian_name.empty()) json["guardian_name"] = consent.guardian_name;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/random.h"
 #include "core/image/image.h"
@@ -162,6 +163,19 @@ std::vector<StudyImage> images_named(const fs::path& folder, const PairNames& na
   return found;
 }
 
+/// Throws InputError before a study is written that would be refused.
+void require_different(const StudyDefinition& study, const fs::path& images) {
+  for (const StudyImage& image : study.images)
+    for (const StimulusFiles& files : {image.light_field, image.monitor}) {
+      const fs::path reference = images / fs::path(files.reference).filename(),
+                     test = images / fs::path(files.test).filename();
+      if (hash_file(reference) == hash_file(test))
+        throw InputError(
+            fmt::format("{} and {} have the same content: a test image must differ from its reference",
+                        reference.string(), test.string()));
+    }
+}
+
 /// Another image altogether is plainly different.
 void add_catch_trial(StudyDefinition& study) {
   const auto is_catch = [](const StudyImage& image) { return image.catch_trial; };
@@ -208,6 +222,7 @@ StudyDefinition study_of_images(const fs::path& images, const fs::path& folder) 
         "NAME-test.png",
         images.string()));
   add_catch_trial(study);
+  require_different(study, images);
   fs::create_directories(folder / "images");
   for (const StudyImage& image : study.images)
     for (const StimulusFiles& files : {image.light_field, image.monitor})

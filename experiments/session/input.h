@@ -39,8 +39,7 @@ const char* name_of(Press press);
 /// Turns what comes from pads and keyboards into presses. Only presses count, never releases: those that
 /// unplugging brings about choose nothing.
 ///   - Triggers have hysteresis: pressed from three quarters of their way, ready again below one quarter. SDL
-///   reports
-///     a trigger that has not moved yet as half pressed; that is neither.
+///     reports a trigger that has not moved yet as half pressed; that is neither.
 ///   - Bumpers fire once, when both are down, and are ready again when both are up.
 /// After a pad is unplugged everything counts as released. What is held down when it comes back is reported
 /// as pressed at once, while the display is still black: TrialMachine ignores that.

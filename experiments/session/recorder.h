@@ -22,6 +22,8 @@ class Recorder {
 
   /// Times the next events: between the two.
   void at(std::int64_t t_low_us, std::int64_t t_us);
+  /// The time of the next event.
+  std::int64_t t_us() const { return t_us_; }
   /// Stores an event; on return it is on the disk.
   void write(const std::string& kind, const std::string& what = {}, const std::string& outcome = {},
              const std::string& detail = {});
@@ -41,6 +43,8 @@ class FlipMeter {
   explicit FlipMeter(double interval_ms) : limit_us_(static_cast<std::int64_t>(1500 * interval_ms)) {}
 
   void flipped(std::int64_t t_us);
+  /// What lies between the flips before and after is a pause, no frame.
+  void interrupt() { last_us_ = -1; }
   /// What was measured since the last call as JSON: {"frames":…,"longest_us":…,"dropped":…} with `more`
   /// (members of an object, or empty) in front.
   std::string take(const std::string& more = {});

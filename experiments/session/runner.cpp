@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 #include "core/base/error.h"
@@ -22,10 +24,19 @@ constexpr double kIntervalTolerance = 0.1;  // measured against stated interval 
 /// Whether the black between images can be trusted on this display, in words if not.
 std::string timing_fault(const DisplayReport& display) {
   if (!display.vsync) return "its flips do not wait for the display";
-  if (display.refresh_hz <= 0) return "";
+  if (display.refresh_hz <= 0) return "the rate it keeps is unknown";
   const double stated_ms = 1000 / display.refresh_hz;
   if (std::abs(display.interval_ms / stated_ms - 1) <= kIntervalTolerance) return "";
   return fmt::format("it states {:.2f} ms a frame, but flips take {:.2f} ms", stated_ms, display.interval_ms);
+}
+
+void require_timing(const DisplayReport& display, SessionMode mode, bool any_timing) {
+  const std::string fault = timing_fault(display);
+  if (!fault.empty() && mode == SessionMode::kReal && !any_timing)
+    throw InputError(
+        fmt::format("display {} ({}) cannot be trusted with time: {}; use another, or --any-timing to go "
+                    "on and have it stored",
+                    display.screen, display.name, fault));
 }
 
 class Session {
@@ -38,7 +49,8 @@ class Session {
         plan_(plan_session(study_, store.identity().number)),
         events_(store.events()),
         so_far_(summarise(store.identity(), study_, events_)),
-        recorder_(store, so_far_.runs + 1, options.on_event) {
+        recorder_(store, so_far_.runs + 1, options.on_event),
+        inputs_(stage, recorder_) {
     if (store.identity().mode != SessionMode::kReal)
       banner_ = store.identity().mode == SessionMode::kPilot ? "PILOT: answers do not count" : "SIMULATED";
     for (const SessionEvent& event : events_)
@@ -49,30 +61,41 @@ class Session {
     if (so_far_.state != SessionState::kInterrupted) return so_far_.state;
     store_.require_space();
     recorder_.write("run_started", name_of(store_.identity().mode), so_far_.runs > 0 ? "resumed" : "new",
-                    fmt::format(R"({{"study":"{}","order":"{}","note":"{}"}})", store_.identity().study_hash,
-                                plan_.order, options_.note));
+                    circumstances());
     try {
-      return through();
-    } catch (const SessionStopped&) {
-      return SessionState::kInterrupted;
+      through();
+    } catch (const SessionStopped&) {  // on the last page, too: the state stays what it has come to
     }
+    return state_;
   }
 
  private:
-  SessionState through() {
+  /// What cannot be known later about this run, as JSON.
+  std::string circumstances() {
+    const StageEquipment equipment = stage_.equipment();
+    const nlohmann::ordered_json json{{"study", store_.identity().study_hash},
+                                      {"order", plan_.order},
+                                      {"pad", equipment.pad.empty() ? "none" : equipment.pad},
+                                      {"keyboard", options_.keyboard},
+                                      {"audio", equipment.audio ? "yes" : "none"},
+                                      {"any_timing", options_.any_timing},
+                                      {"note", options_.note}};
+    return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  }
+
+  void through() {
     open(study_.text_screen);
-    if (!consent()) return SessionState::kDeclined;
-    if (!person()) return SessionState::kExcluded;
+    if (!consent() || !person()) return;
     if (so_far_.trials.empty()) read(instruction_page(study_));
     for (std::size_t i = 0; i < plan_.blocks.size(); ++i) block(static_cast<int>(i) + 1);
     open(study_.text_screen);
     for (const FormQuestion& question : closing_questions(study_)) answer(question);
     recorder_.write("session_done");
+    state_ = SessionState::kDone;
     read(message("end", "Thank you.\n\nThat was all. Please tell the experimenter."));
-    return SessionState::kDone;
   }
 
-  std::string read(const FormQuestion& page) { return ask(stage_, recorder_, page, banner_); }
+  std::string read(const FormQuestion& page) { return ask(stage_, recorder_, inputs_, page, banner_); }
 
   /// The answer of a question, asked unless it was answered in an earlier run.
   std::string answer(const FormQuestion& question) {
@@ -84,12 +107,15 @@ class Session {
   }
 
   bool consent() {
-    const std::string& who = store_.identity().participant;
+    const SessionIdentity& who = store_.identity();
     const std::filesystem::path sessions = store_.folder().parent_path();
     if (so_far_.consented) return true;
-    if (!consent_exists(sessions, who)) {
+    if (!consent_exists(sessions, who, study_.consent)) {
       const bool minor = answers_minor(study_.consent, answer(adult_question(study_.consent)));
-      ConsentRecord record{.participant = who, .given_utc = utc_now(), .text = study_.consent.text};
+      ConsentRecord record{.participant = who.participant,
+                           .session_created_utc = who.created_utc,
+                           .given_utc = utc_now(),
+                           .text = study_.consent.text};
       if (!agrees("consent", "participant", record.text, record.name)) return declined();
       if (minor) record.guardian_text = study_.consent.guardian_text;
       if (minor && !agrees("guardian_consent", "guardian", record.guardian_text, record.guardian_name))
@@ -108,6 +134,7 @@ class Session {
 
   bool declined() {
     recorder_.write("consent", "", "declined");
+    state_ = SessionState::kDeclined;
     read(message("declined", "Thank you for your time.\n\nNothing further is asked or stored."));
     return false;
   }
@@ -116,6 +143,7 @@ class Session {
     for (const FormQuestion& question : person_questions(study_.demographics)) {
       if (!answers_far_sighted(answer(question))) continue;
       recorder_.write("excluded", "vision", "far-sighted");
+      state_ = SessionState::kExcluded;
       read(message(
           "excluded",
           "Thank you for your interest.\n\nThe images hold things too near to be seen sharply by far-sighted "
@@ -135,12 +163,7 @@ class Session {
             R"({{"screen":{},"width_px":{},"height_px":{},"refresh_hz":{:.3f},"interval_ms":{:.3f}}})",
             display_.screen, display_.width_px, display_.height_px, display_.refresh_hz,
             display_.interval_ms));
-    const std::string fault = timing_fault(display_);
-    if (!fault.empty() && store_.identity().mode == SessionMode::kReal && !options_.any_timing)
-      throw InputError(
-          fmt::format("display {} ({}) cannot be trusted with time: {}; use another, or --any-timing to go "
-                      "on and have it stored",
-                      screen, display_.name, fault));
+    require_timing(display_, store_.identity().mode, options_.any_timing);
   }
 
   bool block_complete(int position) const {
@@ -184,7 +207,7 @@ class Session {
     recorder_.write("trial_started", planned.catch_trial ? "catch" : "",
                     planned.test_first ? "test_left" : "test_right");
     const TrialOptions options{static_cast<std::int64_t>(study_.blank_ms) * 1000, study_.return_to_reference};
-    run_trial({stage_, recorder_, options, display_.interval_ms},
+    run_trial({stage_, recorder_, inputs_, options, display_.interval_ms},
               trial_scene(study_, options_.images, block, planned));
   }
 
@@ -196,13 +219,23 @@ class Session {
   std::vector<SessionEvent> events_;
   SessionSummary so_far_;
   Recorder recorder_;
+  SessionInputs inputs_;
   std::map<std::pair<int, int>, int> attempts_;
   std::string banner_;
   DisplayReport display_;
   bool opened_ = false;
+  SessionState state_ = SessionState::kInterrupted;
 };
 
 }  // namespace
+
+void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing) {
+  std::set<int> screens;
+  for (const StudyBlock& block : study.blocks) screens.insert(block.screen);
+  screens.erase(study.text_screen);
+  for (const int screen : screens) require_timing(stage.open_display(screen), mode, any_timing);
+  require_timing(stage.open_display(study.text_screen), mode, any_timing);  // last: the session begins on it
+}
 
 SessionState run_session(SessionStore& store, Stage& stage, const RunnerOptions& options) {
   return Session(store, stage, options).run();

@@ -15,9 +15,15 @@ struct RunnerOptions {
   /// Go on with a display whose flips do not wait for it or do not keep the rate it states. Refused for real
   /// participants otherwise: the black between images could not be trusted.
   bool any_timing = false;
-  std::string note;  ///< stored with the start of the run, e.g. the simulated observer
+  bool keyboard = false;  ///< the keyboard was asked for; stored with the start of the run
+  std::string note;       ///< stored with the start of the run, e.g. the simulated observer
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
 };
+
+/// Opens every display that the study needs, so that a session does not begin that cannot be run. Throws
+/// InputError if one is not there, or, for real sessions and unless `any_timing`, cannot be trusted with
+/// time.
+void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing);
 
 /// Runs a session from where it stands to its end, or until it is stopped:
 /// consent → questions about the person → instructions → blocks of trials → questionnaire → end.

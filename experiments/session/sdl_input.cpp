@@ -52,18 +52,29 @@ void SdlInput::plug(int device, RawInput input, std::vector<RawInput>& inputs) {
   pad_.reset(SDL_GameControllerOpen(device));
   if (!pad_) return;
   input.kind = RawInput::Kind::kConnected;
-  const char* name = SDL_GameControllerName(pad_.get());
-  input.name = name ? name : "pad";
+  input.name = pad_name();
   inputs.push_back(input);
+}
+
+void SdlInput::unplug(RawInput input, std::vector<RawInput>& inputs) {
+  pad_.reset();
+  input.kind = RawInput::Kind::kDisconnected;
+  inputs.push_back(input);
+  for (int device = 0; device < SDL_NumJoysticks() && !pad_; ++device)
+    if (SDL_IsGameController(device)) plug(device, input, inputs);
+}
+
+std::string SdlInput::pad_name() const {
+  if (!pad_) return "";
+  const char* name = SDL_GameControllerName(pad_.get());
+  return name ? name : "pad";
 }
 
 void SdlInput::take_pad(const SDL_Event& event, RawInput input, std::vector<RawInput>& inputs) {
   const auto named = [](const char* name) { return std::string(name ? name : ""); };
   if (event.type == SDL_CONTROLLERDEVICEADDED) return plug(event.cdevice.which, input, inputs);
   if (event.type == SDL_CONTROLLERDEVICEREMOVED && is_ours(event.cdevice.which)) {
-    pad_.reset();
-    input.kind = RawInput::Kind::kDisconnected;
-    inputs.push_back(input);
+    unplug(input, inputs);
   } else if (event.type == SDL_CONTROLLERAXISMOTION && is_ours(event.caxis.which)) {
     input.kind = RawInput::Kind::kTrigger;
     input.name =
@@ -109,8 +120,8 @@ std::vector<RawInput> SdlInput::poll(std::int64_t t_low_us, std::int64_t t_us) {
   return inputs;
 }
 
-void SdlInput::rumble(std::uint32_t ms) {
-  if (pad_) SDL_GameControllerRumble(pad_.get(), 0xffff, 0xffff, ms);
+bool SdlInput::rumble(std::uint32_t ms) {
+  return pad_ && SDL_GameControllerRumble(pad_.get(), 0xffff, 0xffff, ms) == 0;
 }
 
 }  // namespace plenolab

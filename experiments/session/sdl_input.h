@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "experiments/session/input.h"
@@ -23,14 +24,16 @@ class SdlLibrary {
 };
 
 /// Pads and keyboard through SDL's events. The first pad that is plugged in is used, others are left alone
-/// until it is unplugged.
+/// until it is unplugged; then one of those that are there takes over.
 class SdlInput {
  public:
   /// Everything that happened since the last call; `t_low_us` is the time of that call, `t_us` of this one.
   std::vector<RawInput> poll(std::int64_t t_low_us, std::int64_t t_us);
   bool has_pad() const { return pad_ != nullptr; }
-  /// Strong for `ms`; silently nothing on a pad that cannot.
-  void rumble(std::uint32_t ms);
+  /// Name of the pad in use; empty: none.
+  std::string pad_name() const;
+  /// Strong for `ms`; false if there is no pad or it cannot.
+  bool rumble(std::uint32_t ms);
 
  private:
   struct Close {
@@ -39,6 +42,7 @@ class SdlInput {
   void take(const SDL_Event& event, RawInput input, std::vector<RawInput>& inputs);
   void take_pad(const SDL_Event& event, RawInput input, std::vector<RawInput>& inputs);
   void plug(int device, RawInput input, std::vector<RawInput>& inputs);
+  void unplug(RawInput input, std::vector<RawInput>& inputs);
   bool is_ours(SDL_JoystickID id) const;
 
   std::unique_ptr<SDL_GameController, Close> pad_;

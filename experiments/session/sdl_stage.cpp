@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <numbers>
 
 #include "core/base/error.h"
@@ -45,29 +46,45 @@ std::int64_t SdlStage::now_us() const {
   return static_cast<std::int64_t>(ticks / rate * 1'000'000 + ticks % rate * 1'000'000 / rate);
 }
 
-/// Sessions work without sound: participants may decline it, and pads vibrate.
+/// Sessions work without sound: participants may decline it, and pads vibrate. The tone comes from a
+/// callback: for queued sound SDL makes a thread of 64 KiB, in which a program with much thread-local
+/// storage, as ours is, does not fit.
 void SdlStage::open_audio() {
   if (SDL_InitSubSystem(SDL_INIT_AUDIO) != 0) return;
+  tone_.resize(static_cast<std::size_t>(kTone_s * kToneRate_hz));
+  for (std::size_t i = 0; i < tone_.size(); ++i) {
+    const double t_s = static_cast<double>(i) / kToneRate_hz;
+    const double fade = std::min({1.0, t_s / 0.01, (kTone_s - t_s) / 0.01});  // without clicks
+    tone_[i] = static_cast<std::int16_t>(8000 * fade * std::sin(2 * std::numbers::pi * kTone_hz * t_s));
+  }
+  tone_at_ = tone_.size();
   SDL_AudioSpec wanted;
   SDL_zero(wanted);
   wanted.freq = kToneRate_hz;
   wanted.format = AUDIO_S16SYS;
   wanted.channels = 1;
   wanted.samples = 512;
+  wanted.callback = &SdlStage::fill_audio;
+  wanted.userdata = this;
   audio_ = SDL_OpenAudioDevice(nullptr, 0, &wanted, nullptr, 0);
   if (audio_ != 0) SDL_PauseAudioDevice(audio_, 0);
 }
 
-void SdlStage::tone() {
-  if (audio_ == 0) return;
-  std::vector<std::int16_t> samples(static_cast<std::size_t>(kTone_s * kToneRate_hz));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    const double t_s = static_cast<double>(i) / kToneRate_hz;
-    const double fade = std::min({1.0, t_s / 0.01, (kTone_s - t_s) / 0.01});  // without clicks
-    samples[i] = static_cast<std::int16_t>(8000 * fade * std::sin(2 * std::numbers::pi * kTone_hz * t_s));
-  }
-  SDL_ClearQueuedAudio(audio_);
-  SDL_QueueAudio(audio_, samples.data(), static_cast<Uint32>(samples.size() * sizeof samples[0]));
+void SDLCALL SdlStage::fill_audio(void* self, Uint8* stream, int bytes) {
+  SdlStage& stage = *static_cast<SdlStage*>(self);
+  const std::size_t wanted = static_cast<std::size_t>(bytes) / sizeof(std::int16_t);
+  const std::size_t count = std::min(wanted, stage.tone_.size() - stage.tone_at_);
+  std::memset(stream, 0, static_cast<std::size_t>(bytes));
+  std::memcpy(stream, stage.tone_.data() + stage.tone_at_, count * sizeof(std::int16_t));
+  stage.tone_at_ += count;
+}
+
+bool SdlStage::tone() {
+  if (audio_ == 0) return false;
+  SDL_LockAudioDevice(audio_);
+  tone_at_ = 0;
+  SDL_UnlockAudioDevice(audio_);
+  return true;
 }
 
 void SdlStage::require_on_screen(int screen) const {
@@ -101,9 +118,7 @@ DisplayReport SdlStage::open_display(int screen) {
   report.name = fmt::format("{}: {}", SDL_GetCurrentVideoDriver(), name ? name : "display");
   SDL_DisplayMode mode;
   if (SDL_GetCurrentDisplayMode(screen, &mode) == 0) report.refresh_hz = mode.refresh_rate;
-  SDL_RendererInfo info;
-  if (SDL_GetRendererInfo(renderer_.get(), &info) == 0)
-    report.vsync = (info.flags & SDL_RENDERER_PRESENTVSYNC) != 0;
+  report.vsync = flips_wait();
   picture_ = {};
   measure_interval(report);
   require_on_screen(screen);
@@ -112,6 +127,14 @@ DisplayReport SdlStage::open_display(int screen) {
   report.height_px = height_px_;
   open_fonts();
   return report;
+}
+
+/// SDL says PRESENTVSYNC of renderers too for which it only sleeps: what counts is the driver's swap
+/// interval.
+bool SdlStage::flips_wait() const {
+  SDL_RendererInfo info;
+  if (SDL_GetRendererInfo(renderer_.get(), &info) != 0) return false;
+  return std::string(info.name).starts_with("opengl") && SDL_GL_GetSwapInterval() != 0;
 }
 
 void SdlStage::measure_interval(DisplayReport& report) {
@@ -238,17 +261,25 @@ std::int64_t SdlStage::flip() {
 }
 
 std::vector<RawInput> SdlStage::poll() {
-  const std::int64_t t_us = now_us();
   std::vector<RawInput> inputs = std::move(waiting_);
   waiting_.clear();
-  for (RawInput& input : input_.poll(last_poll_us_, t_us)) inputs.push_back(std::move(input));
-  last_poll_us_ = t_us;
+  const std::int64_t asked_us = now_us();
+  std::vector<RawInput> fresh = input_.poll(last_poll_us_, asked_us);
+  // SDL collects inputs until it has none left: they may have come after it was asked.
+  const std::int64_t answered_us = now_us();
+  for (RawInput& input : fresh) {
+    input.t_us = answered_us;
+    inputs.push_back(std::move(input));
+  }
+  if (options_.stop_requested && options_.stop_requested())
+    inputs.push_back({.kind = RawInput::Kind::kClose, .t_low_us = last_poll_us_, .t_us = answered_us});
+  last_poll_us_ = asked_us;
   return inputs;
 }
 
-bool SdlStage::has_pad() {
+StageEquipment SdlStage::equipment() {
   waiting_ = poll();
-  return input_.has_pad();
+  return {input_.pad_name(), audio_ != 0};
 }
 
 /// What has been drawn, before it is shown: for manuals, with time that nobody measures.

@@ -3,6 +3,7 @@
 #include <SDL.h>
 #include <SDL_ttf.h>
 
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -15,16 +16,17 @@ namespace plenolab {
 
 /// The real stage: full-screen windows of SDL, pads, keyboard, tones. Needs an SdlLibrary.
 ///   - One window on one display at a time; after it is up, the display it is really on is compared with the
-///   one asked
-///     for, and a mismatch refused.
-///   - Whether flips wait for the display is taken from what the renderer came to, and measured.
+///     one asked for, and a mismatch refused.
+///   - Whether flips wait for the display is asked of the OpenGL driver (other renderers only pretend), and
+///     measured.
 ///   - Inputs are polled every millisecond until shortly before the next flip.
 /// Text is DejaVu Sans, in the central region of the display.
 class SdlStage final : public Stage {
  public:
   struct Options {
-    bool windowed = false;    ///< a window instead of the full screen, for trying out
-    std::string screenshots;  ///< folder for a picture of everything that is drawn; empty: none
+    bool windowed = false;                 ///< a window instead of the full screen, for trying out
+    std::string screenshots;               ///< folder for a picture of everything that is drawn; empty: none
+    std::function<bool()> stop_requested;  ///< asked at every poll; true counts as closing the window
   };
   explicit SdlStage(Options options);
   ~SdlStage() override;
@@ -34,9 +36,9 @@ class SdlStage final : public Stage {
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
   std::vector<RawInput> poll() override;
-  void tone() override;
-  void vibrate() override { input_.rumble(250); }
-  bool has_pad();
+  StageEquipment equipment() override;
+  bool tone() override;
+  bool vibrate() override { return input_.rumble(250); }
 
  private:
   struct DestroyWindow {
@@ -52,6 +54,7 @@ class SdlStage final : public Stage {
 
   std::int64_t now_us() const;
   void require_on_screen(int screen) const;
+  bool flips_wait() const;
   void measure_interval(DisplayReport& report);
   void compose();
   void draw_image(const Picture& picture);
@@ -60,6 +63,7 @@ class SdlStage final : public Stage {
   Texture upload(const std::filesystem::path& file);
   void open_fonts();
   void open_audio();
+  static void SDLCALL fill_audio(void* self, Uint8* stream, int bytes);
   void save_screenshot();
 
   Options options_;
@@ -69,6 +73,8 @@ class SdlStage final : public Stage {
   TTF_Font* font_ = nullptr;
   TTF_Font* small_font_ = nullptr;
   SDL_AudioDeviceID audio_ = 0;
+  std::vector<std::int16_t> tone_;  // samples
+  std::size_t tone_at_ = 0;         // the next one to be heard; locked with the audio device
   SdlInput input_;
   std::vector<RawInput> waiting_;
   Picture picture_;

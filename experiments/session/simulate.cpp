@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "analysis/provenance.h"
+#include <nlohmann/json.hpp>
+
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "experiments/session/runner.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/simulated_stage.h"
-#include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -21,56 +24,60 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
                                : SessionStore::create(sessions, identity, durability);
 }
 
-/// The study that a session ran; none if another station is just running it.
-std::optional<std::string> hash_in(const fs::path& folder) {
-  try {
-    return read_session(folder).identity.study_hash;
-  } catch (const DatabaseInUse&) {
-    return std::nullopt;
-  }
+constexpr const char* kRecordFile = "simulation.json";
+
+/// The options in words: "observer ideal, rate 0, seed 1, wrong near 0.1".
+std::string options_in(const ObserverOptions& observer) {
+  std::string text =
+      fmt::format("observer {}, rate {:g}, seed {}",
+                  observer_names()[static_cast<std::size_t>(observer.kind)], observer.rate, observer.seed);
+  for (const auto& entry : observer.wrong) text += fmt::format(", wrong {} {:g}", entry.first, entry.second);
+  return text;
 }
 
-std::string note_of(const ObserverOptions& observer) {
-  return fmt::format("observer {} rate {:g} seed {}",
-                     observer_names()[static_cast<std::size_t>(observer.kind)], observer.rate, observer.seed);
+/// What decides how simulated participants behave, as stored beside their sessions.
+nlohmann::ordered_json record_of(const ObserverOptions& observer) {
+  return {{"format", "plenolab-simulation"},
+          {"version", 1},
+          {"options", options_in(observer)},
+          {"observer", observer_names()[static_cast<std::size_t>(observer.kind)]},
+          {"rate", observer.rate},
+          {"seed", observer.seed},
+          {"wrong", nlohmann::ordered_json(observer.wrong)}};
+}
+
+bool holds_only_a_torn_record(const fs::path& folder) {
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().filename() != std::string(kRecordFile) + ".partial") return false;
+  return true;
+}
+
+/// Records the options in a new folder; one that exists must have been simulated with the same.
+void require_same_options(const fs::path& sessions, const ObserverOptions& observer, Durability durability) {
+  const nlohmann::ordered_json record = record_of(observer);
+  const fs::path file = sessions / kRecordFile;
+  if (!fs::exists(sessions) || (fs::is_directory(sessions) && holds_only_a_torn_record(sessions))) {
+    create_private_folder(sessions);
+    return create_private_file(file, record.dump(2) + "\n", durability);
+  }
+  if (!fs::is_regular_file(file))
+    throw InputError(fmt::format("{} is there and no simulation: give a new folder (-o)", sessions.string()));
+  const auto before = nlohmann::ordered_json::parse(read_text_file(file, 16u << 20), nullptr, false);
+  if (before == record) return;
+  if (!before.is_object() || !before.contains("options") || !before["options"].is_string())
+    throw InputError(fmt::format("{} is damaged: give a new folder (-o)", file.string()));
+  throw InputError(fmt::format("{} was simulated with {}, not with {}: give a new folder (-o)",
+                               sessions.string(), before["options"].get<std::string>(),
+                               options_in(observer)));
 }
 
 }  // namespace
 
-SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number) {
-  const BuildInfo build = build_info();
-  return {.participant = pseudonym(mode, number),
-          .number = number,
-          .mode = mode,
-          .study_json = format_study(study),
-          .study_hash = study_hash(study),
-          .created_utc = utc_now(),
-          .program = fmt::format("plenolab {} {}{}", build.version, build.revision,
-                                 build.dirty ? " (changed)" : "")};
-}
-
-void require_same_study(const fs::path& sessions, const StudyDefinition& study, SessionMode mode) {
-  if (!fs::is_directory(sessions)) return;
-  const std::string hash = study_hash(study);
-  for (const fs::path& folder : session_folders(sessions)) {
-    const std::string name = folder.filename().string();
-    const bool simulated = name.starts_with(name_of(SessionMode::kSimulated));
-    if (simulated != (mode == SessionMode::kSimulated))
-      throw InputError(fmt::format("{} holds {} sessions: keep {} ones in a folder of their own (-o)",
-                                   sessions.string(), simulated ? "simulated" : "real or pilot",
-                                   name_of(mode)));
-    if (!name.starts_with(name_of(mode))) continue;  // pilots of earlier versions harm nobody
-    if (hash_in(folder).value_or(hash) != hash)
-      throw InputError(fmt::format(
-          "{} ran another version of the study: keep sessions of this one in a folder of their own (-o)",
-          folder.string()));
-  }
-}
-
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {
   const StudyDefinition study = read_study(study_path);
-  require_same_study(sessions, study, SessionMode::kSimulated);
+  if (fs::is_directory(sessions)) require_same_study(sessions, study, SessionMode::kSimulated);
+  require_same_options(sessions, options.observer, options.durability);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
   std::vector<TrialRecord> records;
   for (int number = 1; number <= options.participants; ++number) {
@@ -79,7 +86,7 @@ std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::pa
     observer.number = number;
     SimulatedStage stage(observer);
     RunnerOptions runner{
-        .images = study_folder(study_path), .note = note_of(observer), .on_event = options.on_event};
+        .images = study_folder(study_path), .note = options_in(observer), .on_event = options.on_event};
     run_session(store, stage, runner);
     const SessionSummary summary = summarise(store.identity(), study, store.events());
     records.insert(records.end(), summary.trials.begin(), summary.trials.end());

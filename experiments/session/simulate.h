@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "experiments/session/observer.h"
-#include "experiments/session/store.h"
 #include "experiments/session/trials.h"
 
 namespace plenolab {
@@ -22,18 +21,11 @@ struct SimulationOptions {
 
 /// Runs simulated participants 1 … n through the whole session: consent, questions, trials, questionnaire, by
 /// a virtual pad. Sessions in `sessions` that are done stay as they are, interrupted ones are resumed,
-/// missing ones created. Throws InputError if the folder holds sessions of another study or of people.
+/// missing ones created; what they behave by is in simulation.json there. Throws InputError if the folder was
+/// simulated with other options (their number aside), holds sessions of another study or of people, or is
+/// not empty and no simulation.
 std::vector<TrialRecord> simulate_study(const std::filesystem::path& study,
                                         const std::filesystem::path& sessions,
                                         const SimulationOptions& options);
-
-/// Throws InputError if a session of this mode below `sessions` ran another version of the study, or sessions
-/// of people would be mixed with simulated ones. Pilots of earlier versions do not matter to real sessions,
-/// and sessions that another station is just running are taken on trust.
-void require_same_study(const std::filesystem::path& sessions, const StudyDefinition& study,
-                        SessionMode mode);
-
-/// A new session's identity with the next number of its mode.
-SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int number);
 
 }  // namespace plenolab

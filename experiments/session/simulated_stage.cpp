@@ -70,8 +70,4 @@ std::vector<RawInput> SimulatedStage::poll() {
   return inputs;
 }
 
-void SimulatedStage::vibrate() {
-  input_.rumble(200);
-}
-
 }  // namespace plenolab

@@ -19,8 +19,9 @@ class SimulatedStage final : public Stage {
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
   std::vector<RawInput> poll() override;
-  void tone() override { ++tones_; }
-  void vibrate() override;
+  StageEquipment equipment() override { return {pad_.plugged() ? "virtual pad" : "", false}; }
+  bool tone() override { return ++tones_, false; }
+  bool vibrate() override { return input_.rumble(200); }
 
   int tones() const { return tones_; }
   int rumbles() const { return pad_.rumbles(); }

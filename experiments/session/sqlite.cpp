@@ -1,6 +1,7 @@
 #include "experiments/session/sqlite.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace plenolab {
 
@@ -13,6 +14,14 @@ namespace {
   if (code == SQLITE_NOTADB || code == SQLITE_CORRUPT)
     throw InputError(fmt::format("{} is damaged or no database: {}", name, sqlite3_errmsg(database)));
   throw InputError(fmt::format("{}: {}", name, sqlite3_errmsg(database)));
+}
+
+std::string immutable_uri(const std::filesystem::path& file) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(file).string())
+    uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
+                                            : std::string(1, c);
+  return uri + "?immutable=1";
 }
 
 }  // namespace
@@ -58,11 +67,22 @@ std::string SqliteStatement::text(int column) const {
 }
 
 SqliteDatabase::SqliteDatabase(const std::filesystem::path& file, Access access) : name_(file.string()) {
+  // Without a log nobody has it open, and SQLite can be told to read the file as it stands. With one only a
+  // connection that could write finds what is in it.
+  const bool log = std::filesystem::exists(name_ + "-wal") || std::filesystem::exists(name_ + "-journal");
+  const bool immutable = access == Access::kUnchanged && !log;
+  if (access == Access::kUnchanged && log && ::access(name_.c_str(), W_OK) != 0)
+    throw InputError(
+        fmt::format("{} was not closed and cannot be written: copy its folder to read it", name_));
   sqlite3* database = nullptr;
-  const int flags = access == Access::kReadOnly ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE;
-  const int result = sqlite3_open_v2(name_.c_str(), &database, flags, nullptr);
+  const int result = immutable ? sqlite3_open_v2(immutable_uri(file).c_str(), &database,
+                                                 SQLITE_OPEN_READONLY | SQLITE_OPEN_URI, nullptr)
+                               : sqlite3_open_v2(name_.c_str(), &database, SQLITE_OPEN_READWRITE, nullptr);
   database_.reset(database);
   if (result != SQLITE_OK) fail(database, name_);
+  if (access == Access::kReadWrite || immutable) return;
+  sqlite3_db_config(database, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  execute("PRAGMA query_only=ON; PRAGMA locking_mode=EXCLUSIVE");
 }
 
 void SqliteDatabase::execute(const std::string& sql) {

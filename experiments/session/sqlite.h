@@ -44,8 +44,12 @@ class SqliteStatement {
 /// reason.
 class SqliteDatabase {
  public:
-  enum class Access { kReadOnly, kReadWrite };
-  /// Opens a file that exists.
+  enum class Access {
+    kUnchanged,  ///< to read: file and log stay as they are, also when the connection closes
+    kReadWrite,
+  };
+  /// Opens a file that exists. To read one that was not closed (its log is there) takes its lock, and the
+  /// file must be writable.
   SqliteDatabase(const std::filesystem::path& file, Access access);
 
   void execute(const std::string& sql);

@@ -38,6 +38,12 @@ struct DisplayReport {
   double interval_ms = 0;  ///< measured: median over flips
 };
 
+/// What there is beside the display.
+struct StageEquipment {
+  std::string pad;     ///< its name; empty: none
+  bool audio = false;  ///< whether tones can be heard
+};
+
 /// Where a session takes place: a display with a clock, pads and a keyboard. The real one is SdlStage, the
 /// one of simulated participants SimulatedStage.
 class Stage {
@@ -55,8 +61,10 @@ class Stage {
   virtual std::int64_t flip() = 0;
   /// Inputs since the last call, in order.
   virtual std::vector<RawInput> poll() = 0;
-  virtual void tone() = 0;
-  virtual void vibrate() = 0;
+  virtual StageEquipment equipment() = 0;
+  /// Begin a tone and a vibration of the pad; false if there is nothing that could.
+  virtual bool tone() = 0;
+  virtual bool vibrate() = 0;
 };
 
 }  // namespace plenolab

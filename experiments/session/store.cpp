@@ -1,18 +1,21 @@
 #include "experiments/session/store.h"
 
-#include <fcntl.h>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <thread>
 
 #include "core/base/error.h"
+#include "experiments/session/private_files.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
 
 namespace plenolab {
@@ -20,7 +23,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* kDatabaseFile = "session.db";
 constexpr const char* kFormat = "plenolab-session";
 constexpr const char* kVersion = "1";
 
@@ -56,16 +58,18 @@ void write_identity(SqliteDatabase& database, const SessionIdentity& identity) {
   database.execute("BEGIN IMMEDIATE");
   database.execute(kSchema);
   SqliteStatement insert = database.prepare("INSERT INTO meta VALUES (?, ?)");
-  const std::vector<std::pair<std::string, std::string>> values{{"format", kFormat},
-                                                                {"version", kVersion},
-                                                                {"participant", identity.participant},
-                                                                {"number", std::to_string(identity.number)},
-                                                                {"mode", name_of(identity.mode)},
-                                                                {"study", identity.study_json},
-                                                                {"study_hash", identity.study_hash},
-                                                                {"created_utc", identity.created_utc},
-                                                                {"program", identity.program},
-                                                                {"complete", "1"}};
+  const std::vector<std::pair<std::string, std::string>> values{
+      {"format", kFormat},
+      {"version", kVersion},
+      {"participant", identity.participant},
+      {"number", std::to_string(identity.number)},
+      {"mode", name_of(identity.mode)},
+      {"study", identity.study_json},
+      {"study_hash", identity.study_hash},
+      {"image_hashes", nlohmann::json(identity.image_hashes).dump()},
+      {"created_utc", identity.created_utc},
+      {"program", identity.program},
+      {"complete", "1"}};
   for (const auto& entry : values) {
     insert.bind(1, entry.first).bind(2, entry.second).step();
     insert.reset();
@@ -96,6 +100,9 @@ SessionIdentity read_identity(SqliteDatabase& database, const fs::path& file) {
   identity.mode = mode_named(meta("mode"), file);
   identity.study_json = meta("study");
   identity.study_hash = meta("study_hash");
+  const auto hashes = nlohmann::json::parse(meta("image_hashes"), nullptr, false);
+  for (const auto& entry : hashes.items())
+    if (entry.value().is_string()) identity.image_hashes[entry.key()] = entry.value();
   identity.created_utc = meta("created_utc");
   identity.program = meta("program");
   return identity;
@@ -114,16 +121,17 @@ std::vector<SessionEvent> read_events(SqliteDatabase& database) {
   return events;
 }
 
-void sync(int descriptor, const fs::path& path) {
-  if (::fsync(descriptor) != 0)
-    throw InputError(fmt::format("cannot store {} safely: {}", path.string(), std::strerror(errno)));
-}
-
-void sync_folder(const fs::path& folder) {
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY);
-  if (descriptor < 0) return;  // e.g. a file system that does not open folders: nothing can be done
-  ::fsync(descriptor);
-  ::close(descriptor);
+/// Tries again for a quarter of a second while others have the database: reading takes a moment, a session
+/// longer.
+void while_briefly_in_use(const std::function<void()>& action) {
+  for (int attempt = 0; attempt < 12; ++attempt) {
+    try {
+      return action();
+    } catch (const DatabaseInUse&) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+  }
+  action();
 }
 
 void require_private(const fs::path& database) {
@@ -138,6 +146,9 @@ void require_private(const fs::path& database) {
 struct SessionStore::Connection {
   Connection(const fs::path& file, Durability durability)
       : database(file, SqliteDatabase::Access::kReadWrite) {
+    while_briefly_in_use([&] { take(file, durability); });
+  }
+  void take(const fs::path& file, Durability durability) {
     // Exclusive locking keeps the WAL index in memory, and everybody else out until the connection closes.
     database.execute("PRAGMA locking_mode=EXCLUSIVE");
     database.execute(durability == Durability::kPowerCut ? "PRAGMA synchronous=FULL"
@@ -161,6 +172,8 @@ SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentit
                                   Durability durability) {
   create_private_folder(sessions);
   const fs::path folder = sessions / identity.participant;
+  if (is_withdrawn(sessions, identity.participant))
+    throw InputError(fmt::format("{} was withdrawn: its pseudonym is not given again", identity.participant));
   if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
     throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
   if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
@@ -222,50 +235,26 @@ void SessionStore::require_space(std::uintmax_t mib) const {
 bool holds_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file)) return false;
-  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
-  return !has_no_tables(database);
+  bool holds = false;
+  while_briefly_in_use([&] {
+    SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);
+    holds = !has_no_tables(database);
+  });
+  return holds;
 }
 
 StoredSession read_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file))
     throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
-  // Even reading a database in WAL mode recovers its log, which needs write access. The lock that a running
-  // session holds keeps readers out.
-  SqliteDatabase database(file, SqliteDatabase::Access::kReadWrite);
-  database.execute("PRAGMA locking_mode=EXCLUSIVE");
-  StoredSession session{read_identity(database, file), read_events(database)};
-  if (database.value("PRAGMA quick_check") != "ok")
-    throw InputError(fmt::format("{} is damaged", file.string()));
+  StoredSession session;
+  while_briefly_in_use([&] {
+    SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);
+    session = {read_identity(database, file), read_events(database)};
+    if (database.value("PRAGMA quick_check") != "ok")
+      throw InputError(fmt::format("{} is damaged", file.string()));
+  });
   return session;
-}
-
-std::vector<fs::path> session_folders(const fs::path& sessions) {
-  if (!fs::is_directory(sessions))
-    throw InputError(fmt::format("{} is no folder of sessions: it does not exist", sessions.string()));
-  std::vector<fs::path> folders;
-  for (const auto& entry : fs::directory_iterator(sessions))
-    if (fs::is_regular_file(entry.path() / kDatabaseFile)) folders.push_back(entry.path());
-  std::sort(folders.begin(), folders.end());
-  return folders;
-}
-
-std::string pseudonym(SessionMode mode, int number) {
-  return fmt::format("{}-{:03}", name_of(mode), number);
-}
-
-int next_number(const fs::path& sessions, SessionMode mode) {
-  const std::string prefix = std::string(name_of(mode)) + "-";
-  int last = 0;
-  if (!fs::is_directory(sessions)) return 1;
-  for (const auto& entry : fs::directory_iterator(sessions)) {
-    const std::string name = entry.path().filename().string();
-    int number = 0;
-    if (name.starts_with(prefix) &&
-        std::from_chars(name.data() + prefix.size(), name.data() + name.size(), number).ec == std::errc{})
-      last = std::max(last, number);
-  }
-  return last + 1;
 }
 
 std::string utc_now() {
@@ -275,29 +264,18 @@ std::string utc_now() {
                      fmt::gmtime(std::chrono::system_clock::to_time_t(seconds)), (now - seconds).count());
 }
 
-void create_private_folder(const fs::path& folder) {
-  std::error_code error;
-  if (fs::is_directory(folder, error)) return;
-  if (folder.has_parent_path() && folder.has_relative_path()) create_private_folder(folder.parent_path());
-  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
-    throw InputError(fmt::format("cannot create the folder {}: {}", folder.string(), std::strerror(errno)));
-}
-
-void create_private_file(const fs::path& file, const std::string& text, Durability durability) {
-  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
-  const auto failed = [&] {
-    return InputError(fmt::format("cannot create {}: {}", file.string(), std::strerror(errno)));
+double seconds_between(const std::string& from_utc, const std::string& to_utc) {
+  const auto milliseconds = [](const std::string& utc) {
+    std::tm time{};
+    int ms = 0;
+    const int found = std::sscanf(utc.c_str(), "%d-%d-%dT%d:%d:%d.%dZ", &time.tm_year, &time.tm_mon,
+                                  &time.tm_mday, &time.tm_hour, &time.tm_min, &time.tm_sec, &ms);
+    if (found != 7) throw InputError(fmt::format("'{}' is no time: the session is damaged", utc));
+    time.tm_year -= 1900;
+    --time.tm_mon;
+    return static_cast<double>(::timegm(&time)) * 1000 + ms;
   };
-  if (descriptor < 0) throw failed();
-  const std::shared_ptr<void> closer(nullptr, [descriptor](void*) { ::close(descriptor); });
-  for (std::size_t written = 0; written < text.size();) {
-    const ssize_t count = ::write(descriptor, text.data() + written, text.size() - written);
-    if (count < 0) throw failed();
-    written += static_cast<std::size_t>(count);
-  }
-  if (durability == Durability::kProcessEnd) return;
-  sync(descriptor, file);
-  sync_folder(file.parent_path());
+  return (milliseconds(to_utc) - milliseconds(from_utc)) / 1000;
 }
 
 }  // namespace plenolab

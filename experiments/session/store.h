@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "experiments/session/private_files.h"
 #include "experiments/session/study.h"
 
 namespace plenolab {
@@ -17,10 +19,11 @@ namespace plenolab {
 ///   SESSIONS/              the data folder of a study
 ///     real-001/session.db  one folder a session, 0700, files 0600
 ///     consent/real-001.json  what was signed, apart from all answers (consent.h)
+///     withdrawn/real-001   in place of both once the participant has withdrawn: the time, nothing personal
 ///
 /// One file a session, not one for the study: stations can run side by side without sharing a file, a damaged
 /// disk block costs one session, a finished one can be copied while the next runs, and a participant who
-/// withdraws is removed by removing a folder. The session is known by its pseudonym alone.
+/// withdraws is removed with one folder (withdraw_session). The session is known by its pseudonym alone.
 ///
 /// The database is append-only: triggers refuse every change and removal, and nothing is stored but events
 /// and what the session is (`meta`); trials are derived (trials.h). It is in WAL mode with synchronous=FULL:
@@ -34,6 +37,7 @@ struct SessionIdentity {
   SessionMode mode = SessionMode::kPilot;
   std::string study_json;  ///< format_study of the study that is run
   std::string study_hash;
+  std::map<std::string, std::string> image_hashes;  ///< of the images that are shown, by file
   std::string created_utc;
   std::string program;  ///< version and revision
 };
@@ -54,12 +58,8 @@ struct SessionEvent {
   std::string detail;  ///< JSON or text; may be empty
 };
 
-/// How much is waited for.
-enum class Durability {
-  kPowerCut,    ///< synchronous=FULL: every event survives a power cut
-  kProcessEnd,  ///< synchronous=OFF: survives the end of the program however it comes; for simulated
-                ///< participants
-};
+/// The database of a session, in its folder.
+inline constexpr const char* kDatabaseFile = "session.db";
 
 class SessionStore {
  public:
@@ -94,31 +94,20 @@ class SessionStore {
 /// Whether a folder holds a session; false also if its creation was cut off before anything happened in it.
 bool holds_session(const std::filesystem::path& folder);
 
-/// A stored session, read without locking it or changing anything: what was stored when it was read.
+/// A stored session as it was when it was read.
 struct StoredSession {
   SessionIdentity identity;
   std::vector<SessionEvent> events;
 };
 
+/// Reads without changing anything in the folder; the log of an interrupted session stays for who resumes it.
 /// Throws InputError if the session is damaged, DatabaseInUse (sqlite.h) if it is open in another program.
 StoredSession read_session(const std::filesystem::path& folder);
-
-/// Folders of all sessions below a data folder, sorted by name. Throws InputError if there is no such folder.
-std::vector<std::filesystem::path> session_folders(const std::filesystem::path& sessions);
-
-/// "real-001", "pilot-012", "simulated-034".
-std::string pseudonym(SessionMode mode, int number);
-
-/// The lowest number after all that were used in this mode.
-int next_number(const std::filesystem::path& sessions, SessionMode mode);
 
 /// Now, as "2026-01-31T12:00:00.123Z".
 std::string utc_now();
 
-/// Creates a folder 0700 with those above it; one that exists stays as it is.
-void create_private_folder(const std::filesystem::path& folder);
-
-/// Writes a file 0600 that must not exist yet, and waits until it is as durable as asked.
-void create_private_file(const std::filesystem::path& file, const std::string& text, Durability durability);
+/// From one time of utc_now() to another, in seconds. Throws InputError if one is none.
+double seconds_between(const std::string& from_utc, const std::string& to_utc);
 
 }  // namespace plenolab

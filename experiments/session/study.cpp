@@ -9,7 +9,6 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
 #include "core/io/json_reader.h"
 
 namespace plenolab {
@@ -19,7 +18,6 @@ namespace {
 
 constexpr const char* kFormatName = "plenolab-study";
 constexpr int kFormatVersion = 1;
-constexpr const char* kStudyFile = "study.json";
 constexpr int kLeastBlank_ms = 250, kMostBlank_ms = 10000;
 constexpr int kMostScreens = 16, kMostZoom = 64;
 constexpr std::size_t kMostEntries = 1000, kLongestText = 8000;
@@ -68,8 +66,9 @@ StimulusFiles files_of(const JsonReader& reader) {
 }
 
 StudyImage read_image(const JsonReader& reader, std::set<std::string>& used) {
-  reader.allow_only({"id", "catch", "reference", "test", "light-field", "monitor"});
+  reader.allow_only({"id", "catch", "identical", "reference", "test", "light-field", "monitor"});
   StudyImage image{.id = id_of(reader, used)};
+  image.identical = reader.has("identical") && reader.boolean("identical");
   image.catch_trial = reader.has("catch") && reader.boolean("catch");
   const bool shared = reader.has("reference") || reader.has("test");
   if (shared == (reader.has("light-field") || reader.has("monitor")))
@@ -188,6 +187,7 @@ void read_settings(const JsonReader& root, StudyDefinition& study) {
 nlohmann::ordered_json image_json(const StudyImage& image) {
   nlohmann::ordered_json json{{"id", image.id}};
   if (image.catch_trial) json["catch"] = true;
+  if (image.identical) json["identical"] = true;
   const auto files = [](const StimulusFiles& f) {
     return nlohmann::ordered_json{{"reference", f.reference}, {"test", f.test}};
   };
@@ -296,30 +296,16 @@ std::string format_study(const StudyDefinition& study) {
 std::string study_hash(const StudyDefinition& study) {
   ContentHash hash;
   hash.add(format_study(study));
+  for (const auto& [file, content] : study.image_hashes) {
+    hash.add(file);
+    hash.add(content);
+  }
   return hash.hex();
 }
 
-fs::path study_file(const fs::path& file_or_folder) {
-  return fs::is_directory(file_or_folder) ? file_or_folder / kStudyFile : file_or_folder;
-}
-
-fs::path study_folder(const fs::path& file_or_folder) {
-  const fs::path folder = study_file(file_or_folder).parent_path();
-  return folder.empty() ? fs::path(".") : folder;
-}
-
-StudyDefinition read_study(const fs::path& file) {
-  const fs::path path = study_file(file);
-  const StudyDefinition study = parse_study(read_text_file(path, 4u << 20), path.string());
-  for (const StudyBlock& block : study.blocks)
-    for (const std::string& id : block.images) {
-      const StimulusFiles& files = study.image(id).on(block.display);
-      for (const std::string& image : {files.reference, files.test})
-        if (!fs::is_regular_file(study_folder(file) / image))
-          throw InputError(fmt::format("{}: image \"{}\" needs the file {}, which is not there",
-                                       path.string(), id, (study_folder(file) / image).string()));
-    }
-  return study;
+bool is_placeholder(const ConsentText& consent) {
+  return consent.text.find("PLACEHOLDER") != std::string::npos ||
+         consent.guardian_text.find("PLACEHOLDER") != std::string::npos;
 }
 
 }  // namespace plenolab

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -37,6 +38,7 @@ struct StudyImage {
   std::string id;
   bool catch_trial = false;            ///< the test image is plainly different: who takes it does not attend
   StimulusFiles light_field, monitor;  ///< equal if the file gives one pair for both
+  bool identical = false;              ///< test and reference are meant to be equal, e.g. to look for biases
 
   const StimulusFiles& on(DisplayKind display) const {
     return display == DisplayKind::kLightField ? light_field : monitor;
@@ -98,6 +100,8 @@ struct StudyDefinition {
   std::vector<StudyBlock> blocks;
   std::vector<BlockOrder> orders;
   std::vector<StudyQuestion> questionnaire;
+  /// Content hash of every image file that is shown, by its name: found by read_study, not in the study file.
+  std::map<std::string, std::string> image_hashes;
 
   const StudyImage& image(const std::string& id) const;  ///< the id must exist
   const StudyBlock& block(const std::string& id) const;  ///< the id must exist
@@ -112,15 +116,11 @@ StudyDefinition parse_study(std::string_view json, const std::string& name);
 /// The text of a study file, ending in a newline; parse_study gives the same study back.
 std::string format_study(const StudyDefinition& study);
 
-/// Hash of everything in the study but its comments and layout: two sessions with the same hash ran the same
-/// study.
+/// Hash of everything in the study but its comments and layout, and of what its images show: two sessions
+/// with the same hash ran the same study.
 std::string study_hash(const StudyDefinition& study);
 
-/// Reads FILE, or FILE/study.json if it is a folder. Throws InputError, also if an image file is missing.
-StudyDefinition read_study(const std::filesystem::path& file);
-
-/// The study file itself and its folder, where its images are.
-std::filesystem::path study_file(const std::filesystem::path& file_or_folder);
-std::filesystem::path study_folder(const std::filesystem::path& file_or_folder);
+/// Whether the consent is still the text that `session new` writes for it to be replaced.
+bool is_placeholder(const ConsentText& consent);
 
 }  // namespace plenolab

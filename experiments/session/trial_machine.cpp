@@ -100,14 +100,16 @@ void TrialMachine::go_black() {
   on_since_us_.reset();
 }
 
-TrialReaction TrialMachine::pause() {
+TrialReaction TrialMachine::pause(std::int64_t t_us) {
+  if (!paused_) paused_at_us_ = t_us;
   paused_ = true;
   if (next_ == Stimulus::kBlack) next_ = on_;
   go_black();
   return {.show = Stimulus::kBlack};
 }
 
-TrialReaction TrialMachine::resume() {
+TrialReaction TrialMachine::resume(std::int64_t t_us) {
+  if (paused_ && began_at_us_ >= 0) paused_us_ += t_us - paused_at_us_;
   paused_ = false;
   return {.show = Stimulus::kBlack};
 }

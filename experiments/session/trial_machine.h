@@ -72,8 +72,8 @@ class TrialMachine {
   /// A press that was made before or at `t_us`.
   TrialReaction pressed(Press press, std::int64_t t_us);
   /// Pause (pad unplugged, experimenter): black until resumed; then what was on returns after a blank.
-  TrialReaction pause();
-  TrialReaction resume();
+  TrialReaction pause(std::int64_t t_us);
+  TrialReaction resume(std::int64_t t_us);
 
   bool done() const { return choice_.has_value(); }
   bool paused() const { return paused_; }
@@ -82,6 +82,8 @@ class TrialMachine {
   std::int64_t chosen_at_us() const { return chosen_at_us_; }
   /// The first flip of the trial.
   std::int64_t began_at_us() const { return began_at_us_; }
+  /// For how long the trial was paused after its first flip; not part of the response time.
+  std::int64_t paused_us() const { return paused_us_; }
 
  private:
   PressOutcome judge(Press press, std::int64_t t_us) const;
@@ -93,6 +95,7 @@ class TrialMachine {
   Stimulus next_ = Stimulus::kBlack;         // what follows the black; kBlack: nothing yet, the trial waits
   std::optional<std::int64_t> on_since_us_;  // first flip with on_; empty until it is reported
   std::int64_t began_at_us_ = -1, chosen_at_us_ = 0, black_since_us_ = 0;
+  std::int64_t paused_at_us_ = 0, paused_us_ = 0;
   bool seen_left_ = false, seen_right_ = false, seen_comparison_ = false;
   bool paused_ = false;
   std::optional<Stimulus> choice_;

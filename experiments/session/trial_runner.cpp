@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 namespace plenolab {
 
 namespace {
@@ -30,18 +32,21 @@ Picture form_picture(const FormMachine& form, const std::string& banner) {
   return picture;
 }
 
-/// Asks whether to stop; returns if the session goes on.
-void confirm_stop(Stage& stage, Recorder& recorder) {
+[[noreturn]] void stop(Recorder& recorder) {
+  recorder.write("stopped");
+  throw SessionStopped{};
+}
+
+/// Asks whether to stop; returns if the session is to go on.
+void confirm_stop(Stage& stage, Recorder& recorder, SessionInputs& inputs) {
   recorder.write("paused", "stop_asked");
   stage.draw(page_picture({kStopText, {}, -1, "Return: stop     Esc: go on"}));
   for (;;) {
     stage.flip();
-    for (const RawInput& input : stage.poll()) {
-      recorder.at(input.t_low_us, input.t_us);
-      const bool stop = is_key(input, "Return") || input.kind == RawInput::Kind::kClose;
-      if (stop) recorder.write("stopped");
-      if (stop) throw SessionStopped{};
-      if (is_key(input, "Escape")) return recorder.write("continued");
+    inputs.poll();
+    while (const auto input = inputs.next()) {
+      if (is_key(*input, "Return") || input->kind == RawInput::Kind::kClose) stop(recorder);
+      if (is_key(*input, "Escape")) return;
     }
   }
 }
@@ -54,54 +59,57 @@ class TrialLoop {
 
   void run() {
     context_.stage.draw(scene_.black);
+    if (context_.inputs.pad_is_missing()) pause_for_pad(0);
     while (!machine_.done()) {
       const std::int64_t t_us = context_.stage.flip();
-      meter_.flipped(t_us);
+      if (!machine_.paused()) meter_.flipped(t_us);
       context_.recorder.at(t_us, t_us);
       react(machine_.flipped(t_us));
-      for (const RawInput& input : context_.stage.poll()) {
-        if (machine_.done()) break;
-        context_.recorder.at(input.t_low_us, input.t_us);
-        take(input);
+      context_.inputs.poll();
+      while (!machine_.done()) {
+        const auto input = context_.inputs.next();
+        if (!input) break;
+        take(*input);
       }
     }
     store_choice();
+    context_.inputs.drop_presses();
   }
 
  private:
   void take(const RawInput& input) {
-    if (input.kind == RawInput::Kind::kDisconnected) return unplugged(input);
-    if (input.kind == RawInput::Kind::kClose) return stop();
-    if (is_key(input, "Escape")) return ask_to_stop();
-    const bool plugged = input.kind == RawInput::Kind::kConnected;
-    if (plugged) context_.recorder.write("plugged");
-    if (machine_.paused() && (plugged || is_key(input, "Return"))) return go_on();
-    if (const auto press = decoder_.decode(input))
-      react(machine_.pressed(*press, input.t_us), *press, input.name);
+    if (input.kind == RawInput::Kind::kClose) stop(context_.recorder);
+    if (is_key(input, "Escape")) return ask_to_stop(input.t_us);
+    const auto press = decoder_.decode(input);
+    if (context_.inputs.pad_is_missing() && is_key(input, "Return")) context_.inputs.go_on_with_keyboard();
+    if (input.kind == RawInput::Kind::kDisconnected) return pause_for_pad(input.t_us);
+    if (machine_.paused() && !context_.inputs.pad_is_missing()) return go_on(input.t_us);
+    if (press) react(machine_.pressed(*press, input.t_us), *press, input.name);
   }
 
-  void unplugged(const RawInput& input) {
-    decoder_.decode(input);
-    context_.recorder.write("unplugged");
-    machine_.pause();
+  void pause(std::int64_t t_us) {
+    machine_.pause(t_us);
+    meter_.interrupt();
+  }
+
+  void pause_for_pad(std::int64_t t_us) {
+    pause(t_us);
     context_.stage.draw(page_picture({kUnpluggedText, {}, -1, ""}));
   }
 
-  void stop() {
-    context_.recorder.write("stopped");
-    throw SessionStopped{};
+  void ask_to_stop(std::int64_t t_us) {
+    pause(t_us);
+    confirm_stop(context_.stage, context_.recorder, context_.inputs);
+    // Nothing is known of what was pressed and released while the page was on.
+    decoder_ = PressDecoder();
+    if (context_.inputs.pad_is_missing()) return pause_for_pad(t_us);
+    go_on(context_.recorder.t_us());
   }
 
-  void ask_to_stop() {
-    machine_.pause();
-    confirm_stop(context_.stage, context_.recorder);
-    go_on();
-  }
-
-  void go_on() {
+  void go_on(std::int64_t t_us) {
     context_.recorder.write("continued");
     again_ = true;
-    react(machine_.resume());
+    react(machine_.resume(t_us));
   }
 
   void react(const TrialReaction& reaction) {
@@ -110,11 +118,11 @@ class TrialLoop {
   }
 
   void react(const TrialReaction& reaction, Press press, const std::string& input) {
+    nlohmann::ordered_json detail{{"input", input}};
+    if (reaction.tone) detail["tone"] = context_.stage.tone();
+    if (reaction.vibrate) detail["vibration"] = context_.stage.vibrate();
     if (reaction.press)
-      context_.recorder.write("press", name_of(press), name_of(*reaction.press),
-                              fmt::format(R"({{"input":"{}"}})", input));
-    if (reaction.tone) context_.stage.tone();
-    if (reaction.vibrate) context_.stage.vibrate();
+      context_.recorder.write("press", name_of(press), name_of(*reaction.press), detail.dump());
     react(reaction);
   }
 
@@ -133,9 +141,11 @@ class TrialLoop {
 
   void store_choice() {
     const bool test = scene_.of(machine_.choice()).shows_test;
-    const std::int64_t response_us = machine_.chosen_at_us() - machine_.began_at_us();
-    context_.recorder.write("choice", name_of(machine_.choice()), test ? "test" : "reference",
-                            meter_.take(fmt::format(R"("response_us":{})", response_us)));
+    const std::int64_t paused_us = machine_.paused_us();
+    const std::int64_t response_us = machine_.chosen_at_us() - machine_.began_at_us() - paused_us;
+    context_.recorder.write(
+        "choice", name_of(machine_.choice()), test ? "test" : "reference",
+        meter_.take(fmt::format(R"("response_us":{},"paused_us":{})", response_us, paused_us)));
   }
 
   const TrialContext& context_;
@@ -147,6 +157,31 @@ class TrialLoop {
 };
 
 }  // namespace
+
+void SessionInputs::poll() {
+  for (RawInput& input : stage_.poll()) waiting_.push_back(std::move(input));
+}
+
+std::optional<RawInput> SessionInputs::next() {
+  if (waiting_.empty()) return std::nullopt;
+  const RawInput input = std::move(waiting_.front());
+  waiting_.pop_front();
+  recorder_.at(input.t_low_us, input.t_us);
+  const bool plugged = input.kind == RawInput::Kind::kConnected;
+  const bool unplugged = input.kind == RawInput::Kind::kDisconnected;
+  if (plugged) recorder_.write("plugged", input.name);
+  if (unplugged) recorder_.write("unplugged");
+  if (plugged || unplugged) pad_is_missing_ = unplugged;
+  return input;
+}
+
+void SessionInputs::drop_presses() {
+  std::erase_if(waiting_, [](const RawInput& input) {
+    const bool pad = input.kind == RawInput::Kind::kPadButton || input.kind == RawInput::Kind::kTrigger;
+    const bool key = input.kind == RawInput::Kind::kKey || input.kind == RawInput::Kind::kText;
+    return pad || (key && !is_key(input, "Escape"));
+  });
+}
 
 const Picture& TrialScene::of(Stimulus stimulus) const {
   return stimulus == Stimulus::kBlack       ? black
@@ -181,26 +216,29 @@ void run_trial(const TrialContext& context, const TrialScene& scene) {
   TrialLoop(context, scene).run();
 }
 
-std::string ask(Stage& stage, Recorder& recorder, const FormQuestion& question, const std::string& banner) {
+std::string ask(Stage& stage, Recorder& recorder, SessionInputs& inputs, const FormQuestion& question,
+                const std::string& banner) {
   FormMachine form(question);
   const auto draw = [&] { stage.draw(form_picture(form, banner)); };
   draw();
   while (!form.done()) {
     const std::int64_t t_us = stage.flip();
     recorder.at(t_us, t_us);
-    for (const RawInput& input : stage.poll()) {
-      recorder.at(input.t_low_us, input.t_us);
-      if (input.kind == RawInput::Kind::kClose) recorder.write("stopped");
-      if (input.kind == RawInput::Kind::kClose) throw SessionStopped{};
-      const bool escape = is_key(input, "Escape"), text = input.kind == RawInput::Kind::kText;
-      const auto press = form_press(input);
-      if (escape) confirm_stop(stage, recorder);
-      if (text) form.type(input.name);
+    inputs.poll();
+    while (!form.done()) {
+      const auto input = inputs.next();
+      if (!input) break;
+      if (input->kind == RawInput::Kind::kClose) stop(recorder);
+      const bool escape = is_key(*input, "Escape"), text = input->kind == RawInput::Kind::kText;
+      const auto press = form_press(*input);
+      if (escape) confirm_stop(stage, recorder, inputs);
+      if (escape) recorder.write("continued");
+      if (text) form.type(input->name);
       if (press) form.press(*press);
       if (escape || text || press) draw();
-      if (form.done()) break;
     }
   }
+  inputs.drop_presses();
   return form.answer();
 }
 

@@ -70,7 +70,8 @@ class TrialCollector {
 
   void end(const SessionEvent& event) {
     record_.chose_test = (event.what == "left") == record_.test_first;
-    record_.response_s = static_cast<double>(event.t_us - record_.began_us) * 1e-6;
+    record_.paused_us = detail_number(event, "paused_us");
+    record_.response_s = static_cast<double>(event.t_us - record_.began_us - record_.paused_us) * 1e-6;
     summary_.trials.push_back(record_);
   }
 
@@ -86,11 +87,6 @@ class TrialCollector {
 const char* name_of(SessionState state) {
   static constexpr std::array kNames{"interrupted", "done", "declined", "excluded"};
   return kNames[static_cast<std::size_t>(state)];
-}
-
-bool SessionSummary::answered(const std::string& question) const {
-  return std::any_of(answers.begin(), answers.end(),
-                     [&](const SessionAnswer& answer) { return answer.question == question; });
 }
 
 bool SessionSummary::completed(int position, int trial) const {
@@ -112,11 +108,14 @@ SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition&
     if (event.kind == "session_done") summary.state = SessionState::kDone;
     trials.take(event);
   }
+  for (TrialRecord& trial : summary.trials) trial.session_state = summary.state;
   return summary;
 }
 
 StudyDefinition study_of(const SessionIdentity& identity) {
-  return parse_study(identity.study_json, "the study of session " + identity.participant);
+  StudyDefinition study = parse_study(identity.study_json, "the study of session " + identity.participant);
+  study.image_hashes = identity.image_hashes;
+  return study;
 }
 
 }  // namespace plenolab

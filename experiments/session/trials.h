@@ -8,6 +8,12 @@
 
 namespace plenolab {
 
+/// How far a session has come.
+enum class SessionState { kInterrupted, kDone, kDeclined, kExcluded };
+
+/// "interrupted", "done", "declined", "excluded".
+const char* name_of(SessionState state);
+
 /// A completed trial, derived from the events of its last attempt.
 struct TrialRecord {
   std::string participant;
@@ -21,20 +27,16 @@ struct TrialRecord {
   bool catch_trial = false;
   bool test_first = false;  ///< the left trigger showed the test image
   bool chose_test = false;  ///< took the test image for the reference: wrong
-  double response_s = 0;    ///< from the first black flip of the trial to the choice
+  double response_s = 0;    ///< from the first black flip of the trial to the choice, without pauses
   int views_reference = 0, views_a = 0, views_b = 0;  ///< times each was shown; a: left trigger, b: right
   int refused = 0;                                    ///< choices refused
   int attempt = 1;                                    ///< 1 unless the trial was interrupted and repeated
   int run = 1;
-  std::int64_t began_us = 0;  ///< on the clock of the run
+  std::int64_t began_us = 0;   ///< on the clock of the run
+  std::int64_t paused_us = 0;  ///< pad unplugged, or asked whether to stop
   std::int64_t dropped_frames = 0, longest_frame_us = 0;
+  SessionState session_state = SessionState::kInterrupted;  ///< of the whole session
 };
-
-/// How far a session has come.
-enum class SessionState { kInterrupted, kDone, kDeclined, kExcluded };
-
-/// "interrupted", "done", "declined", "excluded".
-const char* name_of(SessionState state);
 
 /// An answer to a question of a form.
 struct SessionAnswer {
@@ -50,7 +52,6 @@ struct SessionSummary {
   std::vector<TrialRecord> trials;  ///< completed ones, in the order of the plan
   int trials_planned = 0;
 
-  bool answered(const std::string& question) const;
   bool completed(int position, int trial) const;
 };
 

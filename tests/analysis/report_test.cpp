@@ -133,6 +133,14 @@ TEST(Report, NamesSectionAndBlockOfWhatItCannotShow) {
   EXPECT_THROW(report_html(report), InputError);
 }
 
+TEST(ReportTable, OfManyColumnsIsSetCloser) {
+  const auto html_of = [](std::size_t columns) {
+    return detail::block_html(ReportTable{"t", std::vector<std::string>(columns, "h"), {}});
+  };
+  EXPECT_EQ(html_of(7).find("table wide"), std::string::npos);
+  EXPECT_NE(html_of(8).find("class=\"table wide\""), std::string::npos);
+}
+
 TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
   Report report;
   report.sections = {{"S", {ReportTable{"t", {"a", "b"}, {{36.0, 1e-3}, {42.8512, 250.0}, {0.0, 1.0}}}}}};
@@ -141,6 +149,8 @@ TEST(ReportTable, GivesNumbersOfSimilarSizeEqualDecimals) {
   EXPECT_NE(html.find(">42.85</td>"), std::string::npos);
   EXPECT_NE(html.find(">0.001</td>"), std::string::npos);
   EXPECT_NE(html.find(">250</td>"), std::string::npos);
+  EXPECT_NE(detail::block_html(ReportTable{"t", {"n"}, {{2.0}, {1.0}}}).find(">2</td>"), std::string::npos)
+      << "counts have no decimals";
 }
 
 TEST(DataUri, EncodesTheExamplesOfRfc4648) {

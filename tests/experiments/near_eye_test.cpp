@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -65,6 +66,24 @@ TEST(ReprojectCommand, WritesTheLightFieldForThePanelAndSaysHowItDiffers) {
   }
   for (const char* quantity : {"difference_max", "difference_median", "hole_share", "seconds_direct"})
     EXPECT_TRUE(quantities.count(quantity)) << quantity;
+}
+
+TEST(ReprojectCommand, RefusesWhatWouldBeIgnored) {
+  const TemporaryFolder folder;
+  const std::string out = (folder.path() / "out").string();
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases{
+      {{"--method", "direct", "--compare"}, "--method direct"},
+      {{"--focus", "0.5"}, "--eye"},
+      {{"--pupil", "3"}, "--eye"}};
+  for (const auto& [options, word] : cases) {
+    std::vector<std::string> arguments{"reproject", "near-eye-2", "-o", out};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramResult result = run_program(arguments);
+    EXPECT_EQ(result.status, 2) << options.front();
+    EXPECT_NE(result.err.find(word), std::string::npos) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(out));
 }
 
 TEST(ReprojectCommand, RefusesWhatDoesNotFitTogether) {

@@ -72,23 +72,22 @@ Verdict decide_close(const CalibrationEstimate& fov) {
 
 /// p of everything that was printed if focal length and lens distance may be whatever they like.
 double p_with_any_lens(const CalibrationMeasurements& thesis, double factor) {
-  return without(doubt_each_source(with_deviations(thesis, factor)), "anchor of f").fit.p_value;
+  return without(doubt_each_source(with_deviations(thesis, factor)), "anchor of f").fit.p_value.value_or(1);
 }
 
 Verdict decide_lens(const CalibrationMeasurements& thesis, const CalibrationFit& any_lens) {
   std::array<double, kDeviationFactors.size()> p{};
   for (std::size_t i = 0; i < p.size(); ++i) p[i] = p_with_any_lens(thesis, kDeviationFactors[i]);
   const auto [low, high] = std::minmax_element(p.begin(), p.end());
-  Verdict verdict = decide_claim({p[1], *low, *high}, Comparison::kAbove, kContradiction, "p_value", "1",
-                                 "our deviations halved and doubled");
-  verdict.explanation = fmt::format(
-      "With d_l and f free to be anything, so that no lens equation ties them to their nominal values, they "
-      "become {} mm and {} mm and agree with the angle and the focus, but not with the scaling of appendix "
-      "D, as long as lens pitch and panel are what they are said to be. The thesis states no deviations; "
-      "ours decide how strong the contradiction is.",
+  return undecidable(fmt::format(
+      "The printed figures cannot decide it: the thesis states no deviations, and a p-value is no "
+      "measurement with an interval. With d_l and f free to be anything, so that no lens equation ties them "
+      "to their nominal values, they become {} mm and {} mm; with the deviations we assume all figures then "
+      "have p = {}, between {} and {} with these halved and doubled, as long as lens pitch and panel are "
+      "what they are said to be.",
       format_number(any_lens.values[index_of(CalibrationParameter::kLensDistance)]),
-      format_number(any_lens.values[index_of(CalibrationParameter::kFocalLength)]));
-  return verdict;
+      format_number(any_lens.values[index_of(CalibrationParameter::kFocalLength)]), format_number(p[1], 2),
+      format_number(*low, 2), format_number(*high, 2)));
 }
 
 void add_doubts(ReproductionResult& result, const std::string& caption,
@@ -113,7 +112,10 @@ std::string with_scaling_text(const std::vector<DoubtedSource>& all) {
     });
   };
   if (reconciling(1) > 0) return fmt::format("one source still suffices, {} of them", reconciling(1));
-  return fmt::format("no single source is enough, and {} pairs are, each with other lengths", reconciling(2));
+  if (reconciling(2) > 0)
+    return fmt::format("no single source is enough, and {} pairs are, each with other lengths",
+                       reconciling(2));
+  return std::string("no single source is enough, and without any two of them nothing is left to test");
 }
 
 std::string ours_text(const std::vector<DoubtedSource>& two, const std::vector<DoubtedSource>& all) {
@@ -122,26 +124,26 @@ std::string ours_text(const std::vector<DoubtedSource>& two, const std::vector<D
   const LeftOutReading vergence = focus.left_out.empty() ? LeftOutReading{} : focus.left_out.front();
   const double used_mm = kPixelsPerSubimageUsed * nominal_values()[index_of(P::kPixelPitch)];
   return fmt::format(
-      "Angle and focus {} (p = {}). One of these alone would reconcile them: d_l = {} mm, and then the panel "
-      "is sharp at {} dpt instead of {}; subimages of {} mm; a focal length of {} mm; a camera pupil {} mm "
-      "farther than the 100 mm we take for its height. Appendix D asks for smaller subimages where the angle "
+      "Angle and focus {} (p = {}). One of these alone would explain it, each with nothing left to test it: "
+      "d_l = {} mm, and then the panel is sharp at {} dpt instead of {}; subimages of {} mm; a focal length "
+      "of {} mm. Appendix D asks for smaller subimages where the angle "
       "asks for larger ones: with it, {}. If the angle was measured with the subimages that were used in the "
       "end, {} mm wide, it needs d_l = {} mm.",
       contradicts(two.front().fit) ? "contradict each other" : "agree",
-      format_number(two.front().fit.p_value, 2), value_text(focus, P::kLensDistance),
+      format_number(two.front().fit.p_value.value_or(1), 2), value_text(focus, P::kLensDistance),
       format_number(vergence.predicted, 3), format_number(vergence.measured, 3),
       format_number(without(two, "anchor of p").fit.values[index_of(P::kPixelPitch)] *
                     CalibrationInstrument{}.subimage_px),
-      value_text(without(two, "anchor of f"), P::kFocalLength),
-      value_text(without(two, "anchor of pupil"), P::kPupilOffset), with_scaling_text(all),
+      value_text(without(two, "anchor of f"), P::kFocalLength), with_scaling_text(all),
       format_number(used_mm), format_number(distance_for_angle_mm(used_mm)));
 }
 
 std::string differs_text(bool contradiction) {
   return fmt::format(
-      "{} A second camera height would tell the pupil from the lens, and lens centres on the pixel grid the "
-      "lens pitch from the lens distance. Standard deviations and the camera height are ours: the thesis "
-      "states none.",
+      "{} The angle is one printed number, without the height of the camera it was measured from: edges seen "
+      "from two heights would tell an error of that height from one of the lens distance, and lens centres "
+      "on "
+      "the pixel grid the lens pitch. Standard deviations are ours: the thesis states none.",
       contradiction ? "The thesis settles on one number; its own figures do not allow one."
                     : "With the deviations that we assume, the thesis' figures do allow one number.");
 }

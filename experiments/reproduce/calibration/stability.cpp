@@ -109,13 +109,13 @@ void tell(ReproductionResult& result, const std::vector<GapRun>& runs) {
       "mm to 1e-9 mm, with a relative error of at most {}; with d_l, f and the distance in millimetres it "
       "does in {}.",
       ours_good, runs.size(), format_number(worst, 2), naive_good);
-  result.differs = naive_good < ours_good
-                       ? fmt::format(
-                             "The plain fit fails from {} mm down: the pole of the image distance lies "
-                             "between where it starts and where it should go. It was given the same readings "
-                             "and the same number of iterations.",
-                             format_number(naive_until))
-                       : "The plain fit does as well here; what it lacks shows with other starts.";
+  result.differs =
+      naive_good < ours_good
+          ? fmt::format(
+                "The plain fit fails at up to {} mm; the table says how each of its runs ends. It "
+                "was given the same readings and the same number of iterations.",
+                format_number(naive_until))
+          : "The plain fit does as well here; what it lacks shows with other starts.";
 }
 
 }  // namespace

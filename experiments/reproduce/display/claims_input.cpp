@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "experiments/reproduce/claims/geometry_measure.h"
+#include "experiments/reproduce/display/degraded_input.h"
 #include "experiments/reproduce/display/near_eye_tools.h"
 #include "experiments/reproduce/figure_pictures.h"
 
@@ -18,15 +19,8 @@ namespace {
 
 // ---- H-7: resolution ----
 
-/// Channels' mean difference above which a pixel counts as wrong: five codes of 255.
-constexpr float kWrong = 5.0f / 255;
-
-double share_wrong(const DisplayImage& a, const DisplayImage& b) {
-  double count = 0;
-  const Plane<float> difference = absolute_difference(a, b);
-  for (const float d : difference.pixels()) count += d > kWrong;
-  return count / static_cast<double>(a.size());
-}
+/// Codes of 255 by which a channel may differ before its pixel counts as wrong.
+constexpr int kRightCodes = 5;
 
 /// 5 × 3 cameras over the same area as the display's, without supersampling.
 NearEyeScene at_resolution(const NearEyeScene& scene, int size_px) {
@@ -45,41 +39,11 @@ double share_wrong_at(NearEyeBench& bench, const std::string& id, int size_px) {
   const ReprojectionOptions options{.threads = bench.threads()};
   const ReprojectionResult image =
       reproject(camera_array(scene.grid), render_cameras(scene, 4, bench.threads()), options);
-  return share_wrong(render_directly(scene, bench.threads()).light_field, image.light_field);
+  return share_beyond_codes(render_directly(scene, bench.threads()).light_field, image.light_field,
+                            kRightCodes);
 }
 
 // ---- H-8: coding of depth ----
-
-/// Clipping planes of the coded depth, metres; scenes lie between.
-constexpr double kNear_m = 0.1, kFar_m = 10;
-
-enum class Coding { kLinear, kZBuffer };
-
-struct DepthCoding {
-  const char* name;
-  Coding coding;
-  int bits;  ///< 0 = 32-bit float
-};
-constexpr std::array kCodings{DepthCoding{"8 bits, linear", Coding::kLinear, 8},
-                              DepthCoding{"8 bits, z-buffer", Coding::kZBuffer, 8},
-                              DepthCoding{"16 bits, linear", Coding::kLinear, 16},
-                              DepthCoding{"16 bits, z-buffer", Coding::kZBuffer, 16},
-                              DepthCoding{"24 bits, z-buffer", Coding::kZBuffer, 24},
-                              DepthCoding{"float, z-buffer", Coding::kZBuffer, 0}};
-
-float coded_depth(float depth_m, const DepthCoding& c) {
-  const double z = std::clamp(static_cast<double>(depth_m), kNear_m, kFar_m);
-  double v = c.coding == Coding::kLinear ? (z - kNear_m) / (kFar_m - kNear_m)
-                                         : kFar_m / (kFar_m - kNear_m) * (1 - kNear_m / z);
-  if (c.bits > 0) {
-    const double steps = std::pow(2.0, c.bits) - 1;
-    v = std::round(v * steps) / steps;
-  } else {
-    v = static_cast<double>(static_cast<float>(v));
-  }
-  return static_cast<float>(c.coding == Coding::kLinear ? kNear_m + v * (kFar_m - kNear_m)
-                                                        : kNear_m / (1 - v * (kFar_m - kNear_m) / kFar_m));
-}
 
 double error_with_coding(NearEyeBench& bench, const std::string& id, const DepthCoding& coding) {
   std::vector<RenderedCamera> cameras = bench.cameras(id, 4);
@@ -90,55 +54,109 @@ double error_with_coding(NearEyeBench& bench, const std::string& id, const Depth
   return mean_absolute(bench.truth(id), to_subimages(r.light_field, array.layout, 2, bench.threads()));
 }
 
+/// Mean |VC − IC| of each scene by coding, and with exact depth.
+struct CodingErrors {
+  std::array<std::vector<double>, kDepthCodings.size()> coded;
+  std::vector<double> exact;
+};
+
+CodingErrors coding_errors(NearEyeBench& bench) {
+  CodingErrors errors;
+  for (const std::string& id : bench.scene_ids()) {
+    errors.exact.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));
+    for (std::size_t c = 0; c < kDepthCodings.size(); ++c)
+      errors.coded[c].push_back(error_with_coding(bench, id, kDepthCodings[c]));
+  }
+  return errors;
+}
+
+ResultTable coding_rows(NearEyeBench& bench, const CodingErrors& errors) {
+  ResultTable rows;
+  for (std::size_t s = 0; s < bench.scene_ids().size(); ++s)
+    for (std::size_t c = 0; c < kDepthCodings.size(); ++c)
+      rows.add({"mean_difference",
+                errors.coded[c][s],
+                "1",
+                {{"scene", bench.scene_ids()[s]}, {"coding", std::string(kDepthCodings[c].name)}}});
+  return rows;
+}
+
+ReportPlot coding_plot(NearEyeBench& bench, const CodingErrors& errors) {
+  Plot plot;
+  plot.x.title = "Coding of depth";
+  plot.y = {.title = "Mean |VC − IC|", .unit = "1", .minimum = 0};
+  plot.key = KeyPosition::kOutside;
+  for (const DepthCoding& c : kDepthCodings) plot.categories.emplace_back(c.name);
+  for (std::size_t s = 0; s < bench.scene_ids().size(); ++s) {
+    plot.series.push_back({.title = bench.scene(bench.scene_ids()[s]).scene.scene().title});
+    for (const std::vector<double>& of_coding : errors.coded)
+      plot.series.back().points.push_back({.y = of_coding[s]});
+  }
+  return {plot, "Mean difference by coding of depth", "Bars for each coding and scene"};
+}
+
 // ---- H-9: anti-aliased input ----
 
-/// Mean of 2 × 2 pixels of colour and depth.
-RenderedCamera anti_aliased(const RenderedCamera& fine) {
-  const int n = fine.colour.width() / 2;
-  RenderedCamera camera{fine.column, fine.row, DisplayImage(n, n), Plane<float>(n, n)};
-  for (int y = 0; y < n; ++y)
-    for (int x = 0; x < n; ++x) {
-      const auto mean = [&](const auto& p) {
-        return (p.at(2 * x, 2 * y) + p.at(2 * x + 1, 2 * y) + p.at(2 * x, 2 * y + 1) +
-                p.at(2 * x + 1, 2 * y + 1)) *
-               0.25f;
-      };
-      camera.colour.at(x, y) = mean(fine.colour);
-      camera.depth_m.at(x, y) = mean(fine.depth_m);
-    }
-  return camera;
+/// What corner cameras of two resolutions give: mean |VC − IC| and the share of stray depths.
+struct InputQuality {
+  double error = 0, stray = 0;
+};
+
+InputQuality quality_of(NearEyeBench& bench, const std::string& id, const ReprojectionResult& r) {
+  const CameraArray array = bench.array(id);
+  return {mean_absolute(bench.truth(id), to_subimages(r.light_field, array.layout, 2, bench.threads())),
+          stray_share(r.disparity_px, bench.true_disparity_px(id), array.layout.size_px)};
 }
 
-ReprojectionResult reproject_anti_aliased(NearEyeBench& bench, const std::string& id) {
-  NearEyeScene fine = bench.scene(id);
-  fine.grid.width = fine.grid.height = 2 * fine.grid.width;
-  std::vector<RenderedCamera> cameras;
-  for (const RenderedCamera& camera : render_cameras(fine, 4, bench.threads()))
-    cameras.push_back(anti_aliased(camera));
-  return reproject(bench.array(id), cameras, {.record_maps = true, .threads = bench.threads()});
+/// Corner cameras as they are, with averaged colour, and with averaged colour and depth.
+constexpr std::array<const char*, 3> kInputs{"point-sampled", "colour averaged", "colour and depth averaged"};
+
+std::array<InputQuality, kInputs.size()> input_qualities(NearEyeBench& bench, const std::string& id) {
+  const std::vector<RenderedCamera>& sharp = bench.cameras(id, 4);
+  NearEyeScene twice = bench.scene(id);
+  twice.grid.width = twice.grid.height = 2 * twice.grid.width;
+  const std::vector<RenderedCamera> fine = render_cameras(twice, 4, bench.threads());
+  const auto with = [&](bool depth_too) {
+    std::vector<RenderedCamera> cameras;
+    for (std::size_t i = 0; i < sharp.size(); ++i)
+      cameras.push_back(anti_aliased(sharp[i], fine[i], depth_too));
+    const ReprojectionOptions options{.record_maps = true, .threads = bench.threads()};
+    return quality_of(bench, id, reproject(bench.array(id), cameras, options));
+  };
+  return {quality_of(bench, id, *bench.reprojected(id, {})), with(false), with(true)};
 }
 
-/// Share of the matched pixels whose depth is nowhere near: off by more than 5 % from the depths of the 3 × 3
-/// true pixels around.
-double stray_share(const ReprojectionResult& r, const Plane<float>& true_px, int n) {
-  double stray = 0, matched = 0;
-  const auto is_near = [](float taken, float truth) {
-    return std::abs(taken - truth) <= 0.05f * truth + 1e-6f;
-  };
-  const auto around_has = [&](int x, int y, float taken) {
-    for (int j = std::max(y - 1, y / n * n); j <= std::min(y + 1, y / n * n + n - 1); ++j)
-      for (int i = std::max(x - 1, x / n * n); i <= std::min(x + 1, x / n * n + n - 1); ++i)
-        if (is_near(taken, true_px.at(i, j))) return true;
-    return false;
-  };
-  for (int y = 0; y < true_px.height(); ++y)
-    for (int x = 0; x < true_px.width(); ++x) {
-      const float taken = r.disparity_px.at(x, y);
-      if (taken < 0) continue;
-      ++matched;
-      stray += !is_near(taken, true_px.at(x, y)) && !around_has(x, y, taken);
+/// By input, one number for each scene.
+struct InputsOverScenes {
+  std::array<std::vector<double>, kInputs.size()> errors, strays;
+};
+
+/// Files the rows and the table as well.
+InputsOverScenes measure_inputs(NearEyeBench& bench, ReproductionResult& result) {
+  InputsOverScenes measured;
+  ReportTable table{
+      "Corner cameras point-sampled and averaged: mean |VC − IC|, and the share of matches with a depth that "
+      "nothing around has",
+      {"scene", "point-sampled", "colour averaged", "colour and depth averaged",
+       "stray depths, point-sampled", "colour averaged", "colour and depth averaged"},
+      {},
+      3};
+  for (const std::string& id : bench.scene_ids()) {
+    const auto qualities = input_qualities(bench, id);
+    std::vector<Cell> row{bench.scene(id).scene.scene().title};
+    for (std::size_t i = 0; i < kInputs.size(); ++i) {
+      const Columns columns{{"scene", id}, {"input", std::string(kInputs[i])}};
+      result.rows.add({"mean_difference", qualities[i].error, "1", columns});
+      result.rows.add({"stray_depth_share", qualities[i].stray, "1", columns});
+      measured.errors[i].push_back(qualities[i].error);
+      measured.strays[i].push_back(qualities[i].stray);
+      row.emplace_back(qualities[i].error);
     }
-  return stray / std::max(matched, 1.0);
+    for (const InputQuality& q : qualities) row.emplace_back(percent(q.stray));
+    table.rows.push_back(std::move(row));
+  }
+  result.add_table(std::move(table));
+  return measured;
 }
 
 }  // namespace
@@ -165,18 +183,17 @@ ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
     }
   }
   const Interval ratio = ratio_over_scenes(highest, lowest, laboratory.options().seed);
-  Verdict verdict =
-      decide_claim(ratio, Comparison::kBelow, 1, "share_wrong_high_over_low_resolution", "1", kOverScenes);
+  Verdict verdict = decide_claim(ratio, Comparison::kBelow, 1, "share_wrong_high_over_low_resolution", "1",
+                                 kRatioOverScenes);
   result.paper_shows = "Higher resolution lowers the share of wrong pixels.";
   result.ours_shows = fmt::format(
-      "With subimages of {} px {} times as large a share of the pixels is wrong (by more than five codes) as "
-      "with {} px.",
+      "With subimages of {} px {} times as large a share of the pixels is wrong (a channel off by more than "
+      "five codes) as with {} px.",
       sizes.back(), interval_text(ratio), sizes.front());
   result.differs =
       outcome_text(verdict.outcome) +
-      " Measured with 5 × 3 cameras over the same area, without supersampling. What no camera sees "
-      "stays the same share at any resolution: the scene of extreme occlusion gains least where that "
-      "outweighs edges.";
+      " Measured with 5 × 3 cameras over the same area, without supersampling. What no camera sees stays the "
+      "same share at any resolution: the scene of extreme occlusion gains least where that outweighs edges.";
   result.add_plot("wrong-pixels", {plot, "Share of wrong pixels over the size of a subimage",
                                    "A falling line for each scene"});
   conclude_on_scenes(
@@ -189,52 +206,40 @@ ReproductionResult reproduce_claim_h7(Laboratory& laboratory) {
 ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
-  std::array<std::vector<double>, kCodings.size()> errors;
-  std::vector<double> exact;
-  Plot plot;
-  plot.x.title = "Coding of depth";
-  plot.y = {.title = "Mean |VC − IC|", .unit = "1", .minimum = 0};
-  plot.key = KeyPosition::kOutside;
-  for (const DepthCoding& c : kCodings) plot.categories.emplace_back(c.name);
-  for (const std::string& id : bench.scene_ids()) {
-    exact.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));
-    plot.series.push_back({.title = bench.scene(id).scene.scene().title});
-    for (std::size_t c = 0; c < kCodings.size(); ++c) {
-      errors[c].push_back(error_with_coding(bench, id, kCodings[c]));
-      plot.series.back().points.push_back({.y = errors[c].back()});
-      result.rows.add({"mean_difference",
-                       errors[c].back(),
-                       "1",
-                       {{"scene", id}, {"coding", std::string(kCodings[c].name)}}});
-    }
-  }
+  const CodingErrors errors = coding_errors(bench);
+  result.rows.append(coding_rows(bench, errors));
   const std::uint64_t seed = laboratory.options().seed;
-  const Interval eight = ratio_over_scenes(errors[0], exact, seed),
-                 z_eight = ratio_over_scenes(errors[1], exact, seed),
-                 float_z = ratio_over_scenes(errors.back(), exact, seed);
+  const Interval linear = ratio_over_scenes(errors.coded[0], errors.exact, seed),
+                 z_buffer = ratio_over_scenes(errors.coded[1], errors.exact, seed),
+                 float_z = ratio_over_scenes(errors.coded.back(), errors.exact, seed);
   // "Enough": within a hundredth of exact depth.
   constexpr double kEnough = 1.01;
-  Verdict too_few =
-      decide_claim(eight, Comparison::kAbove, kEnough, "difference_8_bit_over_exact", "1", kOverScenes);
-  Verdict enough =
-      decide_claim(float_z, Comparison::kBelow, kEnough, "difference_float_over_exact", "1", kOverScenes);
+  Verdict linear_short = decide_claim(linear, Comparison::kAbove, kEnough,
+                                      "difference_8_bit_linear_over_exact", "1", kRatioOverScenes);
+  Verdict z_buffer_short = decide_claim(z_buffer, Comparison::kAbove, kEnough,
+                                        "difference_8_bit_z_buffer_over_exact", "1", kRatioOverScenes);
+  Verdict enough = decide_claim(float_z, Comparison::kBelow, kEnough, "difference_float_over_exact", "1",
+                                kRatioOverScenes);
   result.paper_shows =
       "Depth in a texture of 8 bits a channel is not precise enough; a texture of 32-bit floats is.";
   result.ours_shows = fmt::format(
       "Mean difference as a multiple of that with exact depth: {} with 8 bits of linear depth between {:g} "
-      "and {:g} m, {} with 8 bits "
-      "of z-buffer, {} with a z-buffer of floats.",
-      interval_text(eight), kNear_m, kFar_m, interval_text(z_eight), interval_text(float_z));
+      "and {:g} m, {} with 8 bits of z-buffer, {} with a z-buffer of floats.",
+      interval_text(linear), kCodedNear_m, kCodedFar_m, interval_text(z_buffer), interval_text(float_z));
   result.differs = fmt::format(
-      "Eight bits not enough: {} Floats enough: {} The clipping planes are our choice; z-buffers "
-      "spend their steps near, where disparity needs them: {}.",
-      outcome_text(too_few.outcome), outcome_text(enough.outcome),
-      z_eight.estimate < eight.estimate ? "at 8 bits they lose less than linear depth"
-                                        : "at 8 bits that does not help here");
-  result.add_plot("depth-coding",
-                  {plot, "Mean difference by coding of depth", "Bars for each coding and scene"});
-  conclude_on_scenes(result, bench, {"H-8a", thesis("section 3.2.1"), "Depth of 8 bits is not enough."},
-                     std::move(too_few), result.ours_shows);
+      "Eight bits not enough: linear {}, z-buffer {}. Floats enough: {}. The paper does not say how its 8 "
+      "bits were coded, and the clipping planes are our choice; z-buffers spend their steps near, where "
+      "disparity needs them: {}.",
+      outcome_name(linear_short.outcome), outcome_name(z_buffer_short.outcome), outcome_name(enough.outcome),
+      z_buffer.estimate < linear.estimate ? "at 8 bits they lose less than linear depth"
+                                          : "at 8 bits that does not help here");
+  result.add_plot("depth-coding", coding_plot(bench, errors));
+  conclude_on_scenes(result, bench,
+                     {"H-8a-linear", thesis("section 3.2.1"), "Linear depth of 8 bits is not enough."},
+                     std::move(linear_short), result.ours_shows);
+  conclude_on_scenes(result, bench,
+                     {"H-8a-z-buffer", thesis("section 3.2.1"), "A z-buffer of 8 bits is not enough."},
+                     std::move(z_buffer_short), result.ours_shows);
   conclude_on_scenes(result, bench, {"H-8b", thesis("section 3.2.1"), "Depth of 32-bit floats is enough."},
                      std::move(enough), result.ours_shows);
   return result;
@@ -243,48 +248,30 @@ ReproductionResult reproduce_claim_h8(Laboratory& laboratory) {
 ReproductionResult reproduce_claim_h9(Laboratory& laboratory) {
   ReproductionResult result;
   NearEyeBench& bench = laboratory.near_eye_bench();
-  std::vector<double> stray_smooth, stray_sharp, error_smooth, error_sharp;
-  ReportTable table{"Point-sampled and anti-aliased corner cameras",
-                    {"scene", "stray depths, point-sampled", "anti-aliased", "mean |VC − IC|, point-sampled",
-                     "anti-aliased"},
-                    {},
-                    3};
-  for (const std::string& id : bench.scene_ids()) {
-    const CameraArray array = bench.array(id);
-    const ReprojectionResult smooth = reproject_anti_aliased(bench, id);
-    stray_smooth.push_back(stray_share(smooth, bench.true_disparity_px(id), array.layout.size_px));
-    stray_sharp.push_back(
-        stray_share(*bench.reprojected(id, {}), bench.true_disparity_px(id), array.layout.size_px));
-    error_smooth.push_back(
-        mean_absolute(bench.truth(id), to_subimages(smooth.light_field, array.layout, 2, bench.threads())));
-    error_sharp.push_back(mean_absolute(bench.truth(id), bench.image(id, {})));
-    table.rows.push_back({bench.scene(id).scene.scene().title, percent(stray_sharp.back()),
-                          percent(stray_smooth.back()), error_sharp.back(), error_smooth.back()});
-    for (const bool aa : {false, true}) {
-      const Columns columns{{"scene", id}, {"input", std::string(aa ? "anti-aliased" : "point-sampled")}};
-      result.rows.add({"stray_depth_share", aa ? stray_smooth.back() : stray_sharp.back(), "1", columns});
-      result.rows.add({"mean_difference", aa ? error_smooth.back() : error_sharp.back(), "1", columns});
-    }
-  }
+  const InputsOverScenes measured = measure_inputs(bench, result);
+  const auto& [errors, strays] = measured;
   const std::uint64_t seed = laboratory.options().seed;
-  const Interval stray = ratio_over_scenes(stray_smooth, stray_sharp, seed),
-                 error = ratio_over_scenes(error_smooth, error_sharp, seed);
-  Verdict verdict = decide_claim(error, Comparison::kAbove, 1, "difference_anti_aliased_over_point_sampled",
-                                 "1", kOverScenes);
+  const Interval depth = ratio_over_scenes(errors[2], errors[1], seed),
+                 colour = ratio_over_scenes(errors[1], errors[0], seed);
+  Verdict verdict =
+      decide_claim(depth, Comparison::kAbove, 1, "difference_depth_averaged_over_not", "1", kRatioOverScenes);
+  result.rows.add({"difference_colour_averaged_over_point_sampled", colour.estimate, "1", {}});
   result.paper_shows =
       "Section 3.2: anti-aliased corner views break the matching of depths, so smoothing comes after "
       "reprojection.";
   result.ours_shows = fmt::format(
-      "With colour and depth averaged over 2 × 2 samples the mean difference is {} times that of point "
-      "samples; the share of pixels with "
-      "a depth that nothing near has is {} times as large.",
-      interval_text(error), interval_text(stray));
+      "With depth averaged over 2 × 2 samples besides colour the mean difference is {} times that with "
+      "colour averaged alone; averaging colour alone makes it {} times that of point samples. On average "
+      "over the scenes {} of the matches have a depth that nothing around has, {} without averaged depth.",
+      interval_text(depth), interval_text(colour), percent(mean(strays[2])), percent(mean(strays[1])));
   result.differs =
       outcome_text(verdict.outcome) +
-      " Decided by the mean difference; averaged depths lie between two surfaces where nothing is.";
-  result.add_table(std::move(table));
+      " Decided by averaged depth against point-sampled depth with the same averaged colour, so that blur, "
+      "which both have, does not count (the measure was changed after a first look, at which colour and "
+      "depth were averaged at once). Averaged depths lie between two surfaces, where nothing is.";
   conclude_on_scenes(result, bench,
-                     {"H-9", thesis("section 3.2"), "Anti-aliased corner cameras make reprojection worse."},
+                     {"H-9", thesis("section 3.2"),
+                      "Averaged depth of anti-aliased corner cameras makes reprojection worse."},
                      std::move(verdict), result.ours_shows);
   return result;
 }

@@ -1,5 +1,6 @@
 #include "experiments/reproduce/display/near_eye_bench.h"
 
+#include "analysis/statistics.h"
 #include "analysis/timing.h"
 #include "stimuli/scenes/table.h"
 
@@ -83,27 +84,43 @@ DisplayImage NearEyeBench::image(const std::string& id, const Recipe& recipe) {
                       recipe.supersampling, threads());
 }
 
-const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Recipe& recipe) {
+std::vector<std::string> NearEyeBench::timed_scene_ids() const {
+  return {scene_ids().front(), scene_ids().back()};
+}
+
+const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Recipe& recipe,
+                                                 bool with_direct) {
   const RecipeKey key = key_of(id, recipe);
-  if (const auto found = timings_.find(key); found != timings_.end()) return found->second;
+  if (const auto found = timings_.find(key);
+      found != timings_.end() && (!with_direct || !found->second.direct_runs_s.empty()))
+    return found->second;
   const NearEyeScene& prepared = scene(id, recipe.supersampling);
   const CameraArray cameras_array = array(id, recipe.supersampling);
   const ReprojectionOptions options{recipe.method, recipe.holes, false, threads()};
-  const TimingOptions runs{.runs = 3, .warm_up_runs = 1};
-  std::vector<RenderedCamera> rendered;
-  ReprojectionResult result;
-  Timing timing;
-  timing.direct_s = direct(id, recipe.supersampling).seconds;
-  timing.cameras_s =
-      time_repeated([&] { rendered = render_cameras(prepared, recipe.cameras, threads()); }, runs).median_s;
-  timing.reprojection_s =
-      time_repeated([&] { result = reproject(cameras_array, rendered, options); }, runs).median_s;
-  timing.down_sampling_s =
-      time_repeated(
-          [&] { to_subimages(result.light_field, cameras_array.layout, recipe.supersampling, threads()); },
-          runs)
-          .median_s;
-  return timings_.emplace(key, timing).first->second;
+  if (with_direct) direct(id, recipe.supersampling);  // its run that does not count
+  std::vector<double> cameras_s, reprojection_s, down_sampling_s, direct_s;
+  for (int run = 0; run <= kTimedRuns; ++run) {
+    const auto timed = [&](std::vector<double>& seconds, const auto& work) {
+      const Stopwatch watch;
+      auto made = work();
+      if (run > 0) seconds.push_back(watch.seconds());
+      return made;
+    };
+    const auto rendered =
+        timed(cameras_s, [&] { return render_cameras(prepared, recipe.cameras, threads()); });
+    const ReprojectionResult result =
+        timed(reprojection_s, [&] { return reproject(cameras_array, rendered, options); });
+    timed(down_sampling_s, [&] {
+      return to_subimages(result.light_field, cameras_array.layout, recipe.supersampling, threads());
+    });
+    if (with_direct && run > 0) timed(direct_s, [&] { return render_directly(prepared, threads()); });
+  }
+  Timing timing{median(cameras_s), median(reprojection_s), median(down_sampling_s), {}, {}};
+  for (std::size_t run = 0; run < cameras_s.size(); ++run) {
+    timing.reprojected_runs_s.push_back(cameras_s[run] + reprojection_s[run] + down_sampling_s[run]);
+    if (with_direct) timing.direct_runs_s.push_back(direct_s[run] + down_sampling_s[run]);
+  }
+  return timings_.insert_or_assign(key, timing).first->second;
 }
 
 }  // namespace plenolab

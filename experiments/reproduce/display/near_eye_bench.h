@@ -25,12 +25,15 @@ class NearEyeBench {
     int cameras = 4, supersampling = 2;
   };
 
-  /// Seconds that a light field took, down-sampling included: every camera rendered, or few and the rest
-  /// reprojected. Medians of a few runs (the former: one run), measured one after the other.
+  /// Seconds that a light field took: few cameras rendered and exposed and the rest reprojected, or every
+  /// camera rendered and exposed, down-sampling in both. Medians of kTimedRuns runs after one that does not
+  /// count; a run of one beside a run of the other.
+  static constexpr int kTimedRuns = 3;
   struct Timing {
-    double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0, direct_s = 0;
+    double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0;
     double reprojected_total_s() const { return cameras_s + reprojection_s + down_sampling_s; }
-    double direct_total_s() const { return direct_s + down_sampling_s; }
+    /// Whole light fields of each run, and beside them those with every camera rendered where asked for.
+    std::vector<double> reprojected_runs_s, direct_runs_s;
   };
 
   const std::vector<std::string>& scene_ids() const;
@@ -48,7 +51,10 @@ class NearEyeBench {
   std::shared_ptr<const ReprojectionResult> reprojected(const std::string& id, const Recipe& recipe);
   /// The same at the size of the display's subimages.
   DisplayImage image(const std::string& id, const Recipe& recipe);
-  const Timing& timing(const std::string& id, const Recipe& recipe);
+  /// `with_direct`: rendering every camera takes most of the time of an item.
+  const Timing& timing(const std::string& id, const Recipe& recipe, bool with_direct = false);
+  /// Scenes that are timed with every camera rendered: the first and the last.
+  std::vector<std::string> timed_scene_ids() const;
   /// Layout at the size of the display's subimages.
   SubimageLayout subimages(const std::string& id);
 

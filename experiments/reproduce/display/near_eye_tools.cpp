@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "experiments/reproduce/claims/claim_statistics.h"
 #include "experiments/reproduce/claims/geometry_measure.h"
@@ -13,35 +14,53 @@ std::string thesis(const std::string& where) {
   return "Hansen & Klein 2016, " + where;
 }
 
+Interval share_over_scenes(const std::vector<double>& shares, std::uint64_t seed) {
+  const Interval interval = mean_interval(shares, seed).value();
+  return {interval.estimate, std::max(0.0, interval.low), std::min(1.0, interval.high)};
+}
+
 Interval ratio_over_scenes(const std::vector<double>& numerators, const std::vector<double>& denominators,
                            std::uint64_t seed) {
-  return bootstrap_units(
-      numerators.size(),
-      [&](std::span<const double> drawn) {
-        double above = 0, below = 0;
-        for (const double i : drawn) {
-          above += numerators[static_cast<std::size_t>(i)];
-          below += denominators[static_cast<std::size_t>(i)];
-        }
-        return above / std::max(below, 1e-12);
-      },
-      seed);
+  constexpr double kZero = 1e-12;
+  std::vector<double> logs;
+  for (std::size_t i = 0; i < numerators.size(); ++i)
+    if (numerators[i] > 0 || denominators[i] > 0)
+      logs.push_back(std::log(std::max(numerators[i], kZero) / std::max(denominators[i], kZero)));
+  const auto interval = mean_interval(logs, seed);
+  if (!interval) return {logs.empty() ? 1 : std::exp(logs[0]), 0, std::numeric_limits<double>::infinity()};
+  return {std::exp(interval->estimate), std::exp(interval->low), std::exp(interval->high)};
 }
+
+namespace {
+
+/// |a − b| of each channel, in codes.
+std::array<int, 3> code_difference(const Rgb& a, const Rgb& b) {
+  const auto apart = [](float u, float v) { return std::abs(display_code(u) - display_code(v)); };
+  return {apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b)};
+}
+
+}  // namespace
 
 Plane<float> absolute_difference(const DisplayImage& a, const DisplayImage& b) {
   Plane<float> difference(a.width(), a.height());
   for (std::size_t i = 0; i < a.size(); ++i) {
-    const Rgb d = a.pixels()[i] - b.pixels()[i];
-    difference.pixels()[i] = (std::abs(d.r) + std::abs(d.g) + std::abs(d.b)) / 3;
+    const auto codes = code_difference(a.pixels()[i], b.pixels()[i]);
+    difference.pixels()[i] = static_cast<float>(codes[0] + codes[1] + codes[2]) / (3 * 255);
   }
   return difference;
 }
 
 double mean_absolute(const DisplayImage& a, const DisplayImage& b) {
-  double sum = 0;
-  const Plane<float> difference = absolute_difference(a, b);
-  for (const float d : difference.pixels()) sum += static_cast<double>(d);
-  return sum / static_cast<double>(a.size());
+  return mean_difference(difference_statistics(a, b));
+}
+
+double share_beyond_codes(const DisplayImage& a, const DisplayImage& b, int codes) {
+  std::size_t beyond = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const auto channels = code_difference(a.pixels()[i], b.pixels()[i]);
+    beyond += *std::max_element(channels.begin(), channels.end()) > codes;
+  }
+  return static_cast<double>(beyond) / static_cast<double>(a.size());
 }
 
 DisplayImage centre_enlarged(const DisplayImage& light_field, const SubimageLayout& layout, int factor) {
@@ -56,12 +75,20 @@ void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim c
   conclude(result, std::move(claim), std::move(verdict));
 }
 
-NearEyeTimes times_of(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+  std::vector<double> times;
+  for (const std::string& id : bench.scene_ids())
+    times.push_back(bench.timing(id, recipe).reprojected_total_s());
+  return times;
+}
+
+NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
   NearEyeTimes times;
-  for (const std::string& id : bench.scene_ids()) {
-    const NearEyeBench::Timing& t = bench.timing(id, recipe);
-    times.direct.push_back(t.direct_total_s());
-    times.reprojected.push_back(t.reprojected_total_s());
+  for (const std::string& id : bench.timed_scene_ids()) {
+    const NearEyeBench::Timing& t = bench.timing(id, recipe, true);
+    times.direct.insert(times.direct.end(), t.direct_runs_s.begin(), t.direct_runs_s.end());
+    times.reprojected.insert(times.reprojected.end(), t.reprojected_runs_s.begin(),
+                             t.reprojected_runs_s.end());
   }
   return times;
 }

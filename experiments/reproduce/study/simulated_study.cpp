@@ -9,6 +9,7 @@
 #include "experiments/reproduce/study/published.h"
 #include "experiments/reproduce/study/study_item.h"
 #include "experiments/session/export.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/simulate.h"
 
 namespace plenolab {
@@ -44,7 +45,7 @@ StudyDefinition study_of_thesis(const fs::path& folder) {
   study.consent = {"Do you agree?", "Do you agree?", 18, false};
   const StimulusFiles files{"reference.png", "test.png"};
   write_display_image(folder / files.reference, DisplayImage(1, 1));
-  write_display_image(folder / files.test, DisplayImage(1, 1));
+  write_display_image(folder / files.test, DisplayImage(1, 1, Rgb{1, 1, 1}));
   std::vector<std::string> ids;
   for (const StudyCount& count : published_main_study())
     if (std::find(ids.begin(), ids.end(), id_of(count.image)) == ids.end()) ids.push_back(id_of(count.image));

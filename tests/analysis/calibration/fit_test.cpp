@@ -137,6 +137,47 @@ TEST(CalibrationFitTest, TheThesisAngleNeedsItsPrintedDistance) {
   EXPECT_NEAR(predict(m.records[0], geometry_of(nominal_values()), m.instrument)[0], 17.28, 0.02);
 }
 
+TEST(CalibrationFitTest, NumbersAboutZeroAreJudgedAgainstAUsefulSize) {
+  const auto fit_with_focus = [](double sd_dpt) {
+    CalibrationMeasurements m = exact_measurements(anchored_rig());
+    for (CalibrationRecord& record : m.records)
+      if (auto* focus = std::get_if<FocusRecord>(&record)) focus->sd_dpt = sd_dpt;
+    return fit_calibration(m, {.loss = CalibrationLoss::kNone, .starts = 1});
+  };
+  // Three readings: 0.4/√3 is 0.23 dpt, within a quarter of a dioptre; 3/√3 is not, although it is little
+  // against 1/f = 303 dpt.
+  const CalibrationFit sharp = fit_with_focus(0.4), blurred = fit_with_focus(3);
+  for (const char* name : {"vergence_dpt", "focal_gap_mm"}) {
+    EXPECT_TRUE(derived(sharp, name).determined()) << name;
+    EXPECT_FALSE(derived(blurred, name).determined()) << name;
+  }
+  EXPECT_NEAR(*derived(sharp, "vergence_dpt").sd, 0.4 / std::sqrt(3.0), 1e-3);
+  EXPECT_TRUE(estimate(blurred, P::kFocalLength).determined()) << "f itself is known to 1 %";
+}
+
+TEST(CalibrationFitTest, ARotationThatIsKnownToTwoDegreesIsNotKnown) {
+  const auto sd_of_rotation = [](double sd_px) {
+    CalibrationMeasurements m = exact_measurements(grid_rig());
+    for (CalibrationRecord& record : m.records) std::get<GridRecord>(record).sd_px = sd_px;
+    return estimate(fit_calibration(m, {.loss = CalibrationLoss::kNone, .starts = 1}), P::kRotation).sd;
+  };
+  EXPECT_TRUE(sd_of_rotation(20).has_value());
+  // Σ(column² + row²) = 348 lens pitches of 83 px: 2° need 54 px.
+  EXPECT_FALSE(sd_of_rotation(54).has_value());
+}
+
+TEST(CalibrationFitTest, WhatTheDataSeeDoesNotDependOnTheLoss) {
+  const CalibrationMeasurements m = exact_measurements(full_rig());
+  const ParameterValues x = CalibrationCoordinates(m).nominal();
+  const CalibrationUncertainty plain = uncertainty_at(m, x), robust = uncertainty_at(m, x, {0.5, 0.3});
+  EXPECT_EQ(plain.rank, robust.rank);
+  EXPECT_EQ(plain.condition_number, robust.condition_number);
+  EXPECT_EQ(plain.singular_values, robust.singular_values);
+  // Of what readings alone determine the deviation is √(mean ψ²)/mean ψ′ times as large.
+  const auto sd = [](const CalibrationUncertainty& u, P p) { return *u.parameters[index_of(p)].sd; };
+  EXPECT_NEAR(sd(robust, P::kSharpness) / sd(plain, P::kSharpness), std::sqrt(0.3) / 0.5, 1e-9);
+}
+
 TEST(CalibrationFitTest, AParameterThatNoRecordSeesIsNamed) {
   CalibrationRig rig = grid_rig();
   rig.plan.parameters[index_of(P::kFocalLength)].role = ParameterSetting::Role::kFree;

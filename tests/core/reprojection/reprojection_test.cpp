@@ -114,6 +114,20 @@ TEST(Reprojection, ReproducesAPlaneOfFractionalDisparityUpToInterpolation) {
   }
 }
 
+TEST(Reprojection, LeavesNoHolesInAPlaneOfAnyDisparity) {
+  // Pixels that land up to half a pixel beside the rounded epipolar line belong to a target pixel as well.
+  const CameraArray array = array_of(7, 5, 32);
+  for (const double disparity : {0.37, 1.37, 2.6})
+    for (const auto method : {ReprojectionMethod::kTwoStep, ReprojectionMethod::kOneStep})
+      for (const bool central : {false, true}) {
+        auto cameras = see_plane(array, disparity);
+        const auto [column, row] = central_position(array.layout);
+        if (central) cameras.push_back(see_plane(array, column, row, disparity));
+        EXPECT_EQ(reproject(array, cameras, {.method = method}).holes, 0) << disparity << ' ' << central;
+        EXPECT_EQ(reproject_literally(array, cameras, {.method = method}).holes, 0) << disparity;
+      }
+}
+
 TEST(Reprojection, KeepsTheRenderedCamerasAsTheyAre) {
   const CameraArray array = array_of(4, 3, 10);
   const auto cameras = random_cameras(array, 5, false);

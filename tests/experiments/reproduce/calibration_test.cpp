@@ -86,5 +86,13 @@ TEST(CalibrationItems, TheAngleOfTheThesisIsNotCloseToTheCalculatedOne) {
   EXPECT_EQ(result.ledger[0].verdict.outcome, Outcome::kRefuted);
 }
 
+TEST(CalibrationItems, WhetherTheThinLensIsToBlameIsNotDecidedByAPValue) {
+  const Verdict verdict = run("hansen-fov-conflict").ledger.at(1).verdict;
+  EXPECT_EQ(verdict.outcome, Outcome::kUndecided);
+  EXPECT_FALSE(verdict.interval.has_value()) << "a p-value is no measurement with an interval";
+  EXPECT_TRUE(verdict.quantity.empty()) << verdict.quantity;
+  EXPECT_NE(verdict.explanation.find("p = "), std::string::npos) << verdict.explanation;
+}
+
 }  // namespace
 }  // namespace plenolab

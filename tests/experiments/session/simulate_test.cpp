@@ -6,6 +6,9 @@
 
 #include "core/base/file.h"
 #include "experiments/session/export.h"
+#include "experiments/session/same_study.h"
+#include "experiments/session/session_folders.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 
@@ -110,6 +113,9 @@ TEST(Simulation, UnpluggingChoosesNothingAndCountsNoView) {
   EXPECT_EQ(simulated.events("unplugged"), 60);
   EXPECT_EQ(simulated.events("shown_again"), 60);
   EXPECT_EQ(simulated.events("choice"), 60);
+  // The pad is out for 0.8 s; what is measured ends with the poll after.
+  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 800'000) < 20'000; }),
+            1);
   const Simulated calm(with(ObserverKind::kIdeal, 10));
   const auto views = [](const Simulated& s) {
     int count = 0;
@@ -143,7 +149,7 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
   const Simulated simulated(with(ObserverKind::kIdeal, 2));
   const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
   const std::string before = read_text_file(sessions / "simulated-001" / "session.db");
-  EXPECT_EQ(simulate_study(study, sessions, with(ObserverKind::kGuessing, 3)).size(), 18u);
+  EXPECT_EQ(simulate_study(study, sessions, with(ObserverKind::kIdeal, 3)).size(), 18u);
   EXPECT_EQ(read_text_file(sessions / "simulated-001" / "session.db"), before);
   StudyDefinition other = read_study(study);
   EXPECT_NE(message_of([&] {
@@ -156,6 +162,28 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
               require_same_study(sessions, other, SessionMode::kSimulated);
             }).find("another version"),
             std::string::npos);
+}
+
+TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 1, {{"one", 0.25}}));
+  const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
+  const auto message = [&](const SimulationOptions& options, const fs::path& folder) {
+    return message_of([&] { simulate_study(study, folder, options); });
+  };
+  EXPECT_EQ(message(with(ObserverKind::kIdeal, 2, {{"one", 0.25}}), sessions), "");
+  EXPECT_NE(message(with(ObserverKind::kIdeal, 1, {{"one", 0.5}}), sessions)
+                .find("was simulated with observer ideal, rate 0, seed 1, wrong one 0.25, not with"),
+            std::string::npos);
+  SimulationOptions seeded = with(ObserverKind::kIdeal, 1, {{"one", 0.25}});
+  seeded.observer.seed = 2;
+  EXPECT_NE(message(seeded, sessions).find("seed 2"), std::string::npos);
+  EXPECT_NE(message(with(ObserverKind::kGuessing, 1), sessions).find("observer guessing"), std::string::npos);
+  EXPECT_EQ(session_folders(sessions).size(), 2u);
+  EXPECT_NE(message(with(ObserverKind::kIdeal, 1), study).find("is there and no simulation"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(study / "simulated-001"));
+  write_text_file(sessions / "simulation.json", "{}");
+  EXPECT_NE(message(seeded, sessions).find("simulation.json is damaged"), std::string::npos);
 }
 
 TEST(Export, HoldsEveryTrialAndNoName) {
@@ -174,7 +202,8 @@ TEST(Export, HoldsEveryTrialAndNoName) {
   EXPECT_EQ(
       csv.substr(0, csv.find("\r\n")),
       "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
-      "views_reference,views_a,views_b,refused");
+      "views_reference,views_a,views_b,refused,attempt,paused_s,dropped_frames,session_state");
+  EXPECT_TRUE(csv.ends_with(",1,0.000000,0,done\r\n")) << csv.substr(csv.size() - 100);
   EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 19);
   for (const char* file : {"dataset_description.json", "participants.tsv", "task-matching_beh.json",
                            "sub-simulated002/beh/sub-simulated002_task-matching_run-2_beh.tsv",
@@ -183,6 +212,77 @@ TEST(Export, HoldsEveryTrialAndNoName) {
   EXPECT_NE(
       message_of([&] { export_sessions(sessions, SessionMode::kReal, out); }).find("holds no real sessions"),
       std::string::npos);
+}
+
+TEST(Export, RefusesCopiesAndRenamedFoldersOfSessions) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 2));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const auto message = [&](SessionMode mode) {
+    return message_of([&] { export_sessions(sessions, mode, out); });
+  };
+  fs::copy(sessions / "simulated-002", sessions / "simulated-002-copy");
+  EXPECT_NE(message(SessionMode::kSimulated).find("a copy"), std::string::npos);
+  fs::remove_all(sessions / "simulated-002-copy");
+  EXPECT_EQ(message(SessionMode::kSimulated), "");
+  fs::rename(sessions / "simulated-002", sessions / "real-002");
+  EXPECT_NE(message(SessionMode::kReal).find("holds the simulated session simulated-002"), std::string::npos);
+}
+
+TEST(Export, FailsOnDamageAndOnNothingToExportAndNamesWhatItLeavesOut) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 2));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const auto message = [&](ExportOptions options = {}) {
+    return message_of([&] { export_sessions(sessions, SessionMode::kSimulated, out, options); });
+  };
+  write_text_file(sessions / "simulated-003" / "session.db", "");
+  {
+    const SessionStore running = SessionStore::open(sessions / "simulated-001", Durability::kProcessEnd);
+    EXPECT_EQ(message(), "");
+    EXPECT_EQ(read_text_file(out / "left_out.csv"),
+              "session,reason\r\nsimulated-001,in use\r\nsimulated-003,cut off while it was created\r\n");
+    const SessionStore too = SessionStore::open(sessions / "simulated-002", Durability::kProcessEnd);
+    EXPECT_NE(message().find("nothing to export"), std::string::npos) << message();
+    EXPECT_NE(message().find("simulated-002 (in use)"), std::string::npos) << message();
+  }
+  fs::resize_file(sessions / "simulated-002" / "session.db", 5000);
+  EXPECT_NE(message().find("nothing is exported (--leave-out-damaged"), std::string::npos) << message();
+  EXPECT_EQ(message({.leave_out_damaged = true}), "");
+  EXPECT_NE(read_text_file(out / "left_out.csv").find("simulated-002,damaged\r\n"), std::string::npos);
+  EXPECT_EQ(read_text_file(out / "trials.csv").find("simulated-002"), std::string::npos);
+}
+
+TEST(Export, IsForItsOwnerAloneAndTellsNoDates) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 3));
+  const fs::path sessions = simulated.folder.path() / "sessions", out = simulated.folder.path() / "out";
+  const ExportCounts counts = export_sessions(sessions, SessionMode::kSimulated, out);
+  EXPECT_EQ(counts.orders.at("headset-first"), 2);
+  EXPECT_EQ(counts.orders.at("monitor-first"), 1);
+  const auto others = fs::perms::group_all | fs::perms::others_all;
+  const std::string day = utc_now().substr(0, 10);
+  EXPECT_EQ(fs::status(out).permissions() & others, fs::perms::none);
+  for (const auto& entry : fs::recursive_directory_iterator(out)) {
+    EXPECT_EQ(entry.status().permissions() & others, fs::perms::none) << entry.path();
+    if (entry.is_directory()) continue;
+    EXPECT_EQ(read_text_file(entry.path()).find(day), std::string::npos) << entry.path();
+  }
+  EXPECT_NE(read_text_file(out / "events.csv").find(",since_start_s,"), std::string::npos);
+  export_sessions(sessions, SessionMode::kSimulated, out, {.wall_clock = true});
+  EXPECT_NE(read_text_file(out / "events.csv").find(day), std::string::npos);
+  EXPECT_EQ(seconds_between("2026-02-28T23:59:59.900Z", "2026-03-01T00:00:01.150Z"), 1.25);
+}
+
+TEST(Export, NamesWhatIsNotBidsForItsValidator) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 1));
+  const fs::path out = simulated.folder.path() / "out";
+  export_sessions(simulated.folder.path() / "sessions", SessionMode::kSimulated, out);
+  const std::string ignored = read_text_file(out / ".bidsignore");
+  for (const auto& entry : fs::directory_iterator(out)) {
+    const std::string name = entry.path().filename().string();
+    const bool bids = name == "README" || name == "dataset_description.json" || name == ".bidsignore" ||
+                      name.starts_with("participants.") || name.starts_with("task-") ||
+                      name.starts_with("sub-");
+    EXPECT_EQ(ignored.find(name + "\n") != std::string::npos, !bids) << name;
+  }
 }
 
 TEST(WrongProbabilities, AreReadFromATableAndBadLinesAreNamed) {

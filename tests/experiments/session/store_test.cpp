@@ -1,12 +1,20 @@
 #include "experiments/session/store.h"
 
 #include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <atomic>
+#include <thread>
+
 #include "core/base/file.h"
-#include "experiments/session/simulate.h"
+#include "core/io/image_file.h"
+#include "experiments/session/same_study.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 
@@ -75,6 +83,55 @@ TEST(Store, NeverOverwritesASession) {
   EXPECT_EQ(next_number(sessions.path, SessionMode::kPilot), 1);
 }
 
+TEST(Store, NoPseudonymIsGivenTwice) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-003.json", "{}", Durability::kPowerCut);
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4) << "real-003 has left its consent";
+}
+
+TEST(Store, WhoWithdrawsIsRemovedAndLeavesOnlyThatThePseudonymIsTaken) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-001.json", "{}", Durability::kPowerCut);
+  {
+    const SessionStore running = SessionStore::open(sessions.path / "real-001", Durability::kPowerCut);
+    EXPECT_NE(message_of([&] { withdraw_session(sessions.path, "real-001"); }).find("in use"),
+              std::string::npos);
+  }
+  withdraw_session(sessions.path, "real-001");
+  EXPECT_FALSE(fs::exists(sessions.path / "real-001"));
+  EXPECT_TRUE(fs::is_empty(sessions.path / "consent"));
+  EXPECT_TRUE(session_folders(sessions.path).empty());
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 2);
+  EXPECT_NE(message_of([&] {
+              SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+            }).find("was withdrawn"),
+            std::string::npos);
+  for (const char* name : {"real-001", "real-009", "../study", ""})
+    EXPECT_NE(message_of([&] { withdraw_session(sessions.path, name); }).find("holds no session"),
+              std::string::npos)
+        << name;
+}
+
+TEST(Store, FilesAppearWholeOrNotAtAll) {
+  const Sessions sessions;
+  create_private_folder(sessions.path);
+  const fs::path file = sessions.path / "consent.json";
+  create_private_file(file.string() + ".partial", "half of an attempt that was cut off",
+                      Durability::kPowerCut);
+  create_private_file(file, "whole", Durability::kPowerCut);
+  EXPECT_EQ(read_text_file(file), "whole");
+  EXPECT_EQ(mode_of(file), 0600u);
+  EXPECT_FALSE(fs::exists(file.string() + ".partial"));
+  EXPECT_NE(
+      message_of([&] { create_private_file(file, "other", Durability::kPowerCut); }).find("File exists"),
+      std::string::npos);
+  EXPECT_EQ(read_text_file(file), "whole");
+}
+
 TEST(Store, RefusesASecondProgramButNotLaterOnes) {
   const Sessions sessions;
   {
@@ -89,6 +146,48 @@ TEST(Store, RefusesASecondProgramButNotLaterOnes) {
   EXPECT_EQ(message_of([&] { SessionStore::open(sessions.path / "real-001", Durability::kPowerCut); }), "");
 }
 
+std::map<std::string, std::string> contents_of(const fs::path& folder) {
+  std::map<std::string, std::string> contents;
+  for (const auto& file : fs::directory_iterator(folder))
+    contents[file.path().filename().string()] = read_text_file(file.path());
+  return contents;
+}
+
+TEST(Store, ReadingChangesNothingInAnInterruptedOrAClosedSession) {
+  const Sessions sessions;
+  const fs::path cut = sessions.folder.path() / "cut", closed = sessions.path / "real-001";
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    SessionEvent event = event_of("kept");
+    store.append(event);
+    fs::copy(closed, cut);  // as a power cut leaves it
+  }
+  EXPECT_TRUE(contents_of(cut).contains("session.db-wal"));
+  for (const fs::path& folder : {cut, closed}) {
+    const auto before = contents_of(folder);
+    EXPECT_TRUE(holds_session(folder));
+    EXPECT_EQ(read_session(folder).events.size(), 1u);
+    EXPECT_TRUE(contents_of(folder) == before) << folder;
+  }
+}
+
+TEST(Store, ManyMayReadAnInterruptedSessionAtTheSameTime) {
+  const Sessions sessions;
+  const fs::path cut = sessions.folder.path() / "cut";
+  {
+    SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
+    fs::copy(sessions.path / "real-001", cut);
+  }
+  std::atomic<int> failed = 0;
+  std::vector<std::thread> readers;
+  for (int i = 0; i < 4; ++i)
+    readers.emplace_back([&] {
+      for (int n = 0; n < 20; ++n) failed += message_of([&] { read_session(cut); }).empty() ? 0 : 1;
+    });
+  for (std::thread& reader : readers) reader.join();
+  EXPECT_EQ(failed, 0);
+}
+
 TEST(Store, RealSessionsFollowPilotsOfAnEarlierVersionButNotRealOnes) {
   const Sessions sessions;
   {
@@ -101,6 +200,39 @@ TEST(Store, RealSessionsFollowPilotsOfAnEarlierVersionButNotRealOnes) {
   EXPECT_EQ(message_of(check), "");
   { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
   EXPECT_NE(message_of(check).find("real-001 ran another version"), std::string::npos);
+}
+
+TEST(Store, OneDamagedOrCutOffSessionDoesNotStopAStudy) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
+  create_private_folder(sessions.path / "real-002");
+  create_private_file(sessions.path / "real-002" / "session.db", "", Durability::kProcessEnd);
+  const auto unread = [&] { return require_same_study(sessions.path, sessions.study, SessionMode::kReal); };
+  EXPECT_TRUE(unread().empty()) << "nothing had begun";
+  create_private_folder(sessions.path / "real-003");
+  create_private_file(sessions.path / "real-003" / "session.db", std::string(8192, 'x'),
+                      Durability::kProcessEnd);
+  ASSERT_EQ(unread().size(), 1u);
+  EXPECT_NE(unread().front().find("real-003"), std::string::npos);
+  EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4);
+}
+
+TEST(Store, RealSessionsDoNotGoOnWithImagesThatHaveChanged) {
+  const Sessions sessions;
+  const StudyDefinition before = read_study(sessions.folder.path() / "study");
+  {
+    SessionStore::create(sessions.path, new_identity(before, SessionMode::kReal, 1), Durability::kProcessEnd);
+  }
+  write_display_image(sessions.folder.path() / "study" / "two-test.png", DisplayImage(2, 2));
+  const StudyDefinition after = read_study(sessions.folder.path() / "study");
+  EXPECT_EQ(format_study(before), format_study(after));
+  const StoredSession stored = read_session(sessions.path / "real-001");
+  EXPECT_EQ(difference(stored.identity, before), "");
+  EXPECT_EQ(difference(stored.identity, after), "saw another image in two-test.png");
+  EXPECT_NE(message_of([&] {
+              require_same_study(sessions.path, after, SessionMode::kReal);
+            }).find("real-001 saw another image in two-test.png"),
+            std::string::npos);
 }
 
 TEST(Store, TheDatabaseItselfRefusesChangesAndRemovals) {
@@ -143,28 +275,52 @@ TEST(Store, DamagedFilesAreToldFromSessions) {
             std::string::npos);
 }
 
+/// No file may grow beyond `bytes` as long as this exists: a disk that is full.
+class FullDisk {
+ public:
+  explicit FullDisk(rlim_t bytes) : handler_(::signal(SIGXFSZ, SIG_IGN)) {
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    const rlimit limit{bytes, before_.rlim_max};
+    ::setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FullDisk() {
+    ::setrlimit(RLIMIT_FSIZE, &before_);
+    ::signal(SIGXFSZ, handler_);
+  }
+
+ private:
+  sighandler_t handler_;
+  rlimit before_{};
+};
+
 TEST(Store, AFullDiskStopsTheSessionWithEverythingBeforeStored) {
   const Sessions sessions;
-  std::int64_t stored = 0;
+  std::size_t stored = 0;
   {
     SessionStore store = SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut);
     EXPECT_EQ(message_of([&] { store.require_space(1); }), "");
     EXPECT_NE(message_of([&] { store.require_space(std::uintmax_t{1} << 43); }).find("MiB are free"),
               std::string::npos);
+    const auto fill = [&] {
+      for (; stored < 10'000; ++stored) {
+        SessionEvent event = event_of("press");
+        store.append(event);
+      }
+    };
+    std::string message;
+    {
+      const FullDisk full(200'000);
+      message = message_of(fill);
+    }
+    EXPECT_NE(message.find("everything before is stored"), std::string::npos) << message;
+    EXPECT_GT(stored, 10u);
+    EXPECT_EQ(store.events().size(), stored);
   }
-  // The limit is kept by this connection: SQLite then answers as on a full disk.
-  SqliteDatabase database(sessions.path / "real-001" / "session.db", SqliteDatabase::Access::kReadWrite);
-  database.execute("PRAGMA max_page_count = 20");
-  const auto fill = [&] {
-    for (; stored < 100'000; ++stored)
-      database.execute(
-          "INSERT INTO events (run, t_us, t_low_us, utc, position, trial, attempt, block, image, kind, "
-          "what, outcome, detail) VALUES (1,2,3,'',0,0,0,'','','press','','','" +
-          std::string(200, 'x') + "')");
-  };
-  EXPECT_NE(message_of(fill).find("full"), std::string::npos);
-  EXPECT_EQ(database.value("SELECT count(*) FROM events"), std::to_string(stored));
-  EXPECT_EQ(database.value("PRAGMA integrity_check"), "ok");
+  EXPECT_EQ(read_session(sessions.path / "real-001").events.size(), stored);
+  SessionStore again = SessionStore::open(sessions.path / "real-001", Durability::kPowerCut);
+  SessionEvent event = event_of("resumed");
+  again.append(event);
+  EXPECT_EQ(event.sequence, static_cast<std::int64_t>(stored) + 1);
 }
 
 TEST(Store, AFolderThatCannotBeMadeIsNamedWithItsReason) {

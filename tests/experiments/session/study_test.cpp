@@ -11,6 +11,8 @@
 #include "core/io/image_file.h"
 #include "experiments/session/example_study.h"
 #include "experiments/session/plan.h"
+#include "experiments/session/study_files.h"
+#include "tests/experiments/session/tiny_study.h"
 #include "tests/support/message_of.h"
 
 namespace plenolab {
@@ -68,10 +70,12 @@ TEST(Study, EveryMistakeIsToldInOneSentenceWithItsKey) {
 TEST(Study, IsMadeOfTheImageSetOfReproject) {
   const TemporaryFolder folder;
   const std::filesystem::path images = folder.path() / "set";
+  float grey = 0;
   for (const char* name : {"a", "b"})
     for (const char* kind : {"vc", "ic"})
       for (const char* part : {"panel", "centre", "light-field"})
-        write_display_image(images / fmt::format("{}-{}-{}.png", name, kind, part), DisplayImage(1, 1));
+        write_display_image(images / fmt::format("{}-{}-{}.png", name, kind, part),
+                            DisplayImage(1, 1, Rgb{grey += 0.05f, 0, 0}));
   const StudyDefinition study = study_of_images(images, folder.path() / "study");
   ASSERT_EQ(study.images.size(), 3u);
   EXPECT_EQ(study.images[0].light_field.test, "images/a-ic-panel.png");
@@ -79,10 +83,48 @@ TEST(Study, IsMadeOfTheImageSetOfReproject) {
   EXPECT_TRUE(study.images[2].catch_trial);
   EXPECT_EQ(study.images[2].light_field.test, "images/b-vc-panel.png") << "plainly another image";
   write_text_file(folder.path() / "study" / "study.json", format_study(study));
-  EXPECT_TRUE(read_study(folder.path() / "study") == study);
+  EXPECT_EQ(format_study(read_study(folder.path() / "study")), format_study(study));
   const std::string message =
       message_of([&] { study_of_images(folder.path() / "study", folder.path() / "x"); });
   EXPECT_NE(message.find("neither pairs"), std::string::npos) << message;
+}
+
+TEST(Study, ATestImageEqualToItsReferenceMustBeMeant) {
+  const TemporaryFolder folder;
+  StudyDefinition study = write_tiny_study(folder.path());
+  const auto read = [&] {
+    write_text_file(folder.path() / "study.json", format_study(study));
+    return message_of([&] { read_study(folder.path()); });
+  };
+  EXPECT_EQ(read(), "");
+  std::filesystem::copy_file(folder.path() / "two-reference.png", folder.path() / "two-test.png",
+                             std::filesystem::copy_options::overwrite_existing);
+  EXPECT_NE(read().find("image \"two\" has the same content in two-reference.png and two-test.png"),
+            std::string::npos)
+      << read();
+  study.images[1].identical = true;
+  EXPECT_EQ(read(), "");
+  study.images[0].identical = true;
+  EXPECT_NE(read().find("one-reference.png and one-test.png differ"), std::string::npos) << read();
+}
+
+TEST(Study, ImageSetsWithEqualImagesAreRefusedBeforeAnythingIsWritten) {
+  const TemporaryFolder folder;
+  for (const char* name : {"x-reference.png", "x-test.png"})
+    write_display_image(folder.path() / "set" / name, DisplayImage(1, 1));
+  const std::string message =
+      message_of([&] { study_of_images(folder.path() / "set", folder.path() / "study"); });
+  EXPECT_NE(message.find("have the same content"), std::string::npos) << message;
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "study"));
+}
+
+TEST(Study, TheConsentOfTheExampleIsAPlaceholder) {
+  EXPECT_TRUE(is_placeholder(example_study().consent));
+  StudyDefinition study = example_study();
+  study.consent.text = "What we agreed on.";
+  EXPECT_TRUE(is_placeholder(study.consent)) << "the guardian's too";
+  study.consent.guardian_text = "And for guardians.";
+  EXPECT_FALSE(is_placeholder(study.consent));
 }
 
 TEST(Plan, IsAPureFunctionOfStudyAndNumber) {

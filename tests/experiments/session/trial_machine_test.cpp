@@ -156,16 +156,28 @@ TEST(TrialMachine, APauseBringsTheSameImageBackAfterABlankAndIgnoresPresses) {
   bench.wait(300'000);
   bench.visit(Press::kReference);
   bench.visit(Press::kLeft);
-  bench.take(bench.machine.pause());
+  bench.take(bench.machine.pause(bench.now_us));
   bench.wait(3'000'000);
   EXPECT_EQ(bench.press(Press::kChoose), PressOutcome::kPaused);
   const std::size_t before = bench.onsets.size();
-  bench.take(bench.machine.resume());
+  bench.take(bench.machine.resume(bench.now_us));
   EXPECT_EQ(bench.press(Press::kChoose), PressOutcome::kDuringBlank) << "bumpers held while plugging in";
   bench.wait(1'000'000);
   ASSERT_EQ(bench.onsets.size(), before + 2);
   EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kLeft);
   EXPECT_GE(bench.onsets.back().black_before_us, kBlank_us);
+}
+
+TEST(TrialMachine, PausesAreTimedButNotThoseBeforeTheFirstFlip) {
+  TrialMachine machine({});
+  machine.pause(1'000);
+  machine.resume(2'000'000);
+  machine.flipped(2'100'000);
+  EXPECT_EQ(machine.paused_us(), 0);
+  machine.pause(3'000'000);
+  machine.pause(3'500'000);  // Esc while unplugged
+  machine.resume(5'000'000);
+  EXPECT_EQ(machine.paused_us(), 2'000'000);
 }
 
 TEST(TrialMachine, APauseDuringABlankKeepsTheImageThatWasToCome) {
@@ -174,10 +186,10 @@ TEST(TrialMachine, APauseDuringABlankKeepsTheImageThatWasToCome) {
   bench.visit(Press::kReference);
   ASSERT_EQ(bench.press(Press::kRight), PressOutcome::kAccepted);
   bench.wait(100'000);
-  bench.machine.pause();
-  bench.machine.pause();  // Esc while unplugged
+  bench.machine.pause(bench.now_us);
+  bench.machine.pause(bench.now_us);  // Esc while unplugged
   bench.wait(500'000);
-  bench.machine.resume();
+  bench.machine.resume(bench.now_us);
   bench.wait(500'000);
   EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kRight);
 }
@@ -185,8 +197,8 @@ TEST(TrialMachine, APauseDuringABlankKeepsTheImageThatWasToCome) {
 TEST(TrialMachine, APauseBeforeTheTrialBeganLeavesItWaiting) {
   Bench bench;
   bench.wait(100'000);
-  bench.machine.pause();
-  bench.machine.resume();
+  bench.machine.pause(bench.now_us);
+  bench.machine.resume(bench.now_us);
   bench.wait(1'000'000);
   EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kBlack);
   bench.visit(Press::kReference);
@@ -203,8 +215,8 @@ TEST(TrialMachine, HoldsItsPromisesUnderAnyPresses) {
       bench.flip();
       const double what = random.next_double();
       if (what < 0.05) bench.press(static_cast<Press>(random.next_u64() % 4));
-      if (what > 0.998) bench.machine.pause();
-      if (bench.machine.paused() && what > 0.5 && what < 0.6) bench.machine.resume();
+      if (what > 0.998) bench.machine.pause(bench.now_us);
+      if (bench.machine.paused() && what > 0.5 && what < 0.6) bench.machine.resume(bench.now_us);
     }
     bool left = false, right = false;
     for (const Onset& shown : bench.onsets) {
