@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/image/colour.h"
@@ -10,8 +11,11 @@
 #include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
+#include "experiments/cli/result_folder.h"
 #include "experiments/cli/suggest.h"
+#include "experiments/metric_maps.h"
 #include "experiments/score.h"
+#include "experiments/tonemap_fit.h"
 
 namespace plenolab {
 
@@ -19,9 +23,18 @@ namespace {
 
 struct MetricOptions {
   CommonOptions common;
-  std::string reference, test;
+  std::string reference, test, maps;
   std::string names = "all";
-  double exposure = 0, cd_m2_per_unit = 1;
+  double exposure = 0, cd_m2_per_unit = 0;
+  ViewingConditions viewing;
+  bool force = false;
+};
+
+/// What is compared, as read from files; no reference if none is given.
+struct MetricInput {
+  AnyImage test;
+  std::optional<AnyImage> reference;
+  std::optional<double> cd_m2_per_unit;  ///< nothing if neither the user nor a file says
 };
 
 /// Throws UsageError with the nearest name for one that there is not.
@@ -36,36 +49,125 @@ std::vector<const Metric*> metrics_named(const std::string& names) {
   return select_metrics(wanted);
 }
 
-void run_metric(const Invocation& invocation, const MetricOptions& options) {
-  const auto chosen = metrics_named(options.names);
-  Provenance provenance = begin_run(invocation, options.common);
-  const AnyImage reference = read_any_image(options.reference);
-  const AnyImage test = read_any_image(options.test);
-  add_input(provenance, options.reference);
-  add_input(provenance, options.test);
-  if (reference.index() != test.index())
-    throw InputError(
-        fmt::format("{} and {} cannot be compared: one is scene-referred, the other display-referred",
-                    options.reference, options.test));
-  ComparisonConditions conditions;
-  conditions.cd_m2_per_unit = options.cd_m2_per_unit;
-  conditions.threads = options.common.threads;
-  std::vector<Measurement> measurements;
-  if (const auto* scene = std::get_if<SceneImage>(&reference)) {
-    conditions.exposure = options.exposure > 0 ? static_cast<float>(options.exposure) : exposure_from(*scene);
-    measurements = measure(std::get<SceneImage>(test), *scene, chosen, conditions);
-  } else {
-    if (options.exposure > 0) throw UsageError("--exposure is for images with radiance, not for .png");
-    measurements =
-        measure(std::get<DisplayImage>(test), std::get<DisplayImage>(reference), chosen, conditions);
+/// The scale that the user or the files give; throws InputError if files contradict each other.
+std::optional<double> scale_of(const MetricOptions& options) {
+  if (options.cd_m2_per_unit > 0) return options.cd_m2_per_unit;
+  std::optional<double> scale;
+  for (const std::string& path : {options.reference, options.test}) {
+    if (path.empty() || is_display_file(path)) continue;
+    const std::optional<double> declared = declared_cd_m2_per_unit(path);
+    if (scale && declared && *scale != *declared)
+      throw InputError(
+          fmt::format("{} says that a value of 1 is {} cd/m², {} says {}; --cd-m2-per-unit decides for both",
+                      options.reference, *scale, options.test, *declared));
+    if (declared) scale = declared;
   }
+  return scale;
+}
+
+bool has_radiance(const MetricInput& input) {
+  return std::holds_alternative<SceneImage>(input.test) ||
+         (input.reference && std::holds_alternative<SceneImage>(*input.reference));
+}
+
+/// Without a scale, metrics of absolute luminance are refused if they were asked for by name, and left out of
+/// "all" with a note.
+std::vector<const Metric*> with_known_scale(std::vector<const Metric*> chosen, const MetricInput& input,
+                                            const MetricOptions& options, ResultTable& table) {
+  if (input.cd_m2_per_unit || !has_radiance(input)) return chosen;
+  const std::vector<std::string> named = split_list(options.names);
+  const auto needs_scale = [](const Metric* metric) { return metric->absolute_luminance; };
+  for (const Metric* metric : chosen) {
+    if (!needs_scale(metric)) continue;
+    for (const std::string& name : named)
+      if (name == metric->name || name == metric->family)
+        throw UsageError(fmt::format(
+            "--cd-m2-per-unit: {} needs the luminance of a pixel value of 1, which the images do not say",
+            metric->name));
+    table.add({kNoteQuantity,
+               0,
+               "1",
+               {{"note", fmt::format("{} is left out: --cd-m2-per-unit would say what a pixel value of 1 is.",
+                                     metric->name)}}});
+  }
+  std::erase_if(chosen, needs_scale);
+  return chosen;
+}
+
+MetricInput read_input(const MetricOptions& options, Provenance& provenance) {
+  MetricInput input;
+  if (!options.reference.empty()) {
+    input.reference = read_any_image(options.reference);
+    add_input(provenance, options.reference);
+  }
+  input.test = read_any_image(options.test);
+  add_input(provenance, options.test);
+  input.cd_m2_per_unit = scale_of(options);
+  return input;
+}
+
+ComparisonConditions conditions_for(const MetricInput& input, const MetricOptions& options,
+                                    Provenance& provenance) {
+  ComparisonConditions conditions;
+  conditions.cd_m2_per_unit = input.cd_m2_per_unit.value_or(1);
+  conditions.viewing = options.viewing;
+  conditions.threads = options.common.threads;
+  const auto* scene = input.reference ? std::get_if<SceneImage>(&*input.reference) : nullptr;
+  const bool exposed = scene != nullptr && std::holds_alternative<SceneImage>(input.test);
+  if (options.exposure > 0 && !exposed)
+    throw UsageError("--exposure is for two images with radiance, not for .png");
+  if (exposed)
+    conditions.exposure = options.exposure > 0 ? static_cast<float>(options.exposure) : exposure_from(*scene);
   provenance.parameters["exposure"] = conditions.exposure;
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
+  provenance.parameters["pixels_per_degree"] = options.viewing.pixels_per_degree;
+  provenance.parameters["distance_m"] = options.viewing.distance_m;
+  provenance.parameters["display_peak_cd_m2"] = options.viewing.display_peak_cd_m2;
+  provenance.parameters["display_black_cd_m2"] = options.viewing.display_black_cd_m2;
+  return conditions;
+}
+
+std::vector<Measurement> measure_input(const MetricInput& input, const MetricOptions& options,
+                                       const std::vector<const Metric*>& chosen,
+                                       const ComparisonConditions& conditions, Provenance& provenance) {
+  if (!input.reference) {
+    const auto* picture = std::get_if<DisplayImage>(&input.test);
+    if (picture == nullptr)
+      throw InputError(
+          fmt::format("{} has radiance; metrics without a reference judge a .png", options.test));
+    return measure(*picture, chosen, conditions);
+  }
+  if (options.maps.empty()) return measure_with_maps(input.test, *input.reference, chosen, conditions);
+  std::vector<Measurement> measurements;
+  const std::string item = fmt::format("{} {}", item_path(options.test), item_path(options.reference));
+  write_result_folder(
+      {options.maps, "metric", item, options.force}, provenance, [&](const std::filesystem::path& folder) {
+        measurements = measure_with_maps(input.test, *input.reference, chosen, conditions, folder);
+      });
+  return measurements;
+}
+
+void run_metric(const Invocation& invocation, const MetricOptions& options) {
+  std::vector<const Metric*> chosen = metrics_named(options.names);
+  if (options.reference.empty()) {
+    std::erase_if(chosen, [](const Metric* metric) { return !metric->judge; });
+    if (chosen.empty())
+      throw UsageError(fmt::format("--ref: '{}' compares with a reference image", options.names));
+    if (!options.maps.empty()) throw UsageError("--maps: there are maps only of two images; give --ref, too");
+  }
+  Provenance provenance = begin_run(invocation, options.common);
+  const MetricInput input = read_input(options, provenance);
+  ResultTable table;
+  chosen = with_known_scale(std::move(chosen), input, options, table);
+  const ComparisonConditions conditions = conditions_for(input, options, provenance);
+  const auto measurements = measure_input(input, options, chosen, conditions, provenance);
   if (measurements.empty())
     throw InputError(fmt::format("none of the metrics '{}' takes this kind of image", options.names));
-  ResultTable table;
-  add_measurement_rows(table, measurements, {{"test", options.test}, {"reference", options.reference}});
+  Columns columns{{"test", options.test}};
+  if (input.reference) columns.push_back({"reference", options.reference});
+  add_measurement_rows(table, measurements, columns);
   emit_results(table, provenance, options.common);
+  if (!options.maps.empty()) tell(options.common, fmt::format("wrote {}", options.maps));
 }
 
 std::string metric_names() {
@@ -74,22 +176,47 @@ std::string metric_names() {
   return names;
 }
 
+void add_viewing_options(CLI::App& app, ViewingConditions& viewing) {
+  app.add_option("--pixels-per-degree", viewing.pixels_per_degree,
+                 "Pixels of the images in one degree of the viewer's visual angle")
+      ->check(number_between(1, 1000))
+      ->capture_default_str();
+  app.add_option("--distance", viewing.distance_m, "From the viewer to the picture, m")
+      ->check(number_between(0.05, 100))
+      ->capture_default_str();
+  app.add_option("--display-peak", viewing.display_peak_cd_m2,
+                 "White of the display that shows a .png, cd/m2")
+      ->check(positive_number())
+      ->capture_default_str();
+  app.add_option("--display-black", viewing.display_black_cd_m2, "Black of that display, cd/m2")
+      ->check(number_between(0, 1e6))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_metric_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<MetricOptions>();
-  app.add_option("--ref", options->reference, "Reference image (.exr .hdr .pfm .png)")->required();
-  app.add_option("--test", options->test, "Test image of the same size")->required();
+  app.add_option("--ref", options->reference,
+                 "Reference image (.exr .hdr .pfm .png); metrics that judge one image alone need none");
+  app.add_option("--test", options->test,
+                 "Test image of the same size; a .png beside an .exr is its tone mapped version")
+      ->required();
   app.add_option("--metric", options->names, "Metrics or families, comma-separated: " + metric_names())
       ->capture_default_str();
   app.add_option("--exposure", options->exposure,
                  "Scale before gamma encoding (default: 99th percentile of the reference becomes 1)")
       ->check(positive_number());
-  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit, "Luminance of a pixel value of 1, for PQ")
-      ->check(positive_number())
-      ->capture_default_str();
+  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit,
+                 "Luminance of a pixel value of 1 (default: what an .exr or its light field says; 1 for PQ)")
+      ->check(positive_number());
+  add_viewing_options(app, options->viewing);
+  app.add_option("--maps", options->maps, "Folder for pictures of where the images differ");
+  add_force_option(app, options->force);
   add_common_options(app, options->common);
-  app.footer("Example: plenolab metric --ref truth.exr --test novel.exr --metric psnr,ssim");
+  app.footer(
+      "Examples: plenolab metric --ref truth.exr --test novel.exr --metric psnr,ssim\n"
+      "          plenolab metric --ref scene.exr --test mapped.png --metric drim,tmqi --maps maps");
   app.callback([options, &invocation] { run_metric(invocation, *options); });
 }
 

@@ -14,10 +14,12 @@
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/scenes.h"
 #include "experiments/cli/wide_table.h"
+#include "experiments/sweep_drim.h"
 #include "experiments/sweep_reprojection.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
 #include "experiments/sweep_tonemap.h"
+#include "experiments/tonemap_fit.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -136,6 +138,30 @@ ResultTable run_reprojection_sweep(const SweepOptions& options, const fs::path& 
   return table;
 }
 
+/// The image that DRIM compares is tone mapped by the photographic operator if none is named.
+OperatorChoice mapping_operator(const SweepOptions& options) {
+  OperatorOptions chosen = options.chosen;
+  if (chosen.name.empty()) chosen.name = "reinhard02";
+  const OperatorChoice choice = choose_operator(chosen);
+  require_view_variant(choice);
+  return choice;
+}
+
+ResultTable run_drim_sweep(const SweepOptions& options, const fs::path& folder) {
+  const OperatorChoice choice = mapping_operator(options);
+  const SweepImage image = image_of(options);
+  std::optional<double> cd_m2_per_unit = 1;  // of scenes
+  if (source_exists(options)) cd_m2_per_unit = declared_cd_m2_per_unit(options.source);
+  if (!cd_m2_per_unit)
+    throw InputError(
+        fmt::format("{} does not say what a value of 1 is in cd/m², which DRIM needs", options.source));
+  ProgressBar bar("sweep");
+  const ResultTable table =
+      sweep_drim(image, *cd_m2_per_unit, choice, all_drim_settings(), run_of(options, bar));
+  write_sweep_plot(table, drim_sweep_plot(), image.name, folder);
+  return table;
+}
+
 /// A method with the table in which people see its rows.
 struct SweepMethod {
   const char* name;
@@ -171,6 +197,15 @@ const std::vector<SweepMethod>& methods() {
        {"light_field", "sigma_views", "support_views"},
        tone_columns({{"neighbour_difference", "between neighbours"},
                      {"correspondences_per_pixel", "correspondences"}})},
+      {"drim",
+       run_drim_sweep,
+       {"image", "divisor", "orientations"},
+       {{"mean_error", "mean error"},
+        {"rms_error", "RMS error"},
+        {"drim_share_any", "distorted"},
+        {"seconds_median", "seconds"},
+        {"memory_peak_mib", "peak [MiB]"},
+        {"on_pareto_front", "Pareto front"}}},
       {"reprojection",
        run_reprojection_sweep,
        {"scene", "method", "cameras", "supersampling"},
@@ -207,10 +242,12 @@ std::string output_folder(const SweepOptions& options) {
 }
 
 void run_sweep(const Invocation& invocation, const SweepOptions& options) {
-  if (options.method != "adjustment" &&
+  if (options.method != "adjustment" && options.method != "drim" &&
       !(options.chosen.name.empty() && options.chosen.variant.empty() && options.chosen.settings.empty()))
-    throw UsageError("--operator, --variant and --set are for 'plenolab sweep adjustment'");
-  if (options.method == "adjustment") adjusted_operator(options);  // wrong use is told before anything is run
+    throw UsageError("--operator, --variant and --set are for the sweeps of adjustment and drim");
+  // Wrong use is told before anything is run.
+  if (options.method == "adjustment") adjusted_operator(options);
+  if (options.method == "drim") mapping_operator(options);
   Provenance provenance = begin_run(invocation, options.common);
   provenance.parameters["method"] = options.method;
   provenance.parameters["source"] = options.source;
@@ -233,11 +270,12 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
 void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<SweepOptions>();
   app.add_option("method", options->method, "Method to sweep")->required()->check(one_of(method_names()));
-  app.add_option("source", options->source,
-                 "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
-                 "truth; bilateral, histogram: image with radiance; adjustment: folder of a light field; "
-                 "reprojection: "
-                 "scenes only")
+  app.add_option(
+         "source", options->source,
+         "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
+         "truth; bilateral, histogram, drim: image with radiance; adjustment: folder of a light field; "
+         "reprojection: "
+         "scenes only")
       ->required();
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
@@ -253,6 +291,7 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "synthesis: search, step, key views against rendered or captured truth. bilateral: sampling of the "
       "grid "
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
+      "drim: scale of the images and orientations. "
       "reprojection: steps, cameras and supersampling for the near-eye display.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");

@@ -15,6 +15,7 @@ void add_tonemap_lf_command(CLI::App& app, const Invocation& invocation);
 void add_adjust_lf_command(CLI::App& app, const Invocation& invocation);
 void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
+void add_train_brisque_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
 void add_lut_command(CLI::App& app, const Invocation& invocation);
@@ -40,6 +41,8 @@ std::span<const Command> commands() {
               add_adjust_lf_command},
       Command{"epi", "Cut an epipolar-plane image out of a sequence of frames", add_epi_command},
       Command{"metric", "Compare a test image with a reference", add_metric_command},
+      Command{"train-brisque", "Train the no-reference metric on distorted pictures of the scenes",
+              add_train_brisque_command},
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
               add_evaluate_command},
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",

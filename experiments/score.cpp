@@ -15,17 +15,17 @@ float common_exposure(const LightField& field, double requested) {
 
 namespace {
 
-template <class Image, class Select>
-std::vector<Measurement> measure_with(const Image& test, const Image& reference,
-                                      const std::vector<const Metric*>& chosen,
-                                      const ComparisonConditions& conditions, const Select& select) {
+template <class Compare>
+std::vector<Measurement> measure_with(const std::vector<const Metric*>& chosen, const Compare& compare) {
   std::vector<Measurement> all;
-  for (const Metric* metric : chosen) {
-    const auto& compare = select(*metric);
-    if (!compare) continue;
-    for (Measurement& m : compare(test, reference, conditions)) all.push_back(std::move(m));
-  }
+  for (const Metric* metric : chosen)
+    for (Measurement& m : compare(*metric)) all.push_back(std::move(m));
   return all;
+}
+
+std::vector<Measurement> judged(const Metric& metric, const DisplayImage& test,
+                                const ComparisonConditions& conditions) {
+  return metric.judge ? metric.judge(test, conditions) : std::vector<Measurement>{};
 }
 
 }  // namespace
@@ -33,17 +33,33 @@ std::vector<Measurement> measure_with(const Image& test, const Image& reference,
 std::vector<Measurement> measure(const SceneImage& test, const SceneImage& reference,
                                  const std::vector<const Metric*>& chosen,
                                  const ComparisonConditions& conditions) {
-  return measure_with(
-      test, reference, chosen, conditions,
-      [](const Metric& metric) -> const auto& { return metric.compare_scene; });
+  return measure_with(chosen, [&](const Metric& metric) {
+    return metric.compare_scene ? metric.compare_scene(test, reference, conditions)
+                                : std::vector<Measurement>{};
+  });
 }
 
 std::vector<Measurement> measure(const DisplayImage& test, const DisplayImage& reference,
                                  const std::vector<const Metric*>& chosen,
                                  const ComparisonConditions& conditions) {
-  return measure_with(
-      test, reference, chosen, conditions,
-      [](const Metric& metric) -> const auto& { return metric.compare_display; });
+  return measure_with(chosen, [&](const Metric& metric) {
+    return metric.compare_display ? metric.compare_display(test, reference, conditions)
+                                  : judged(metric, test, conditions);
+  });
+}
+
+std::vector<Measurement> measure(const DisplayImage& test, const SceneImage& reference,
+                                 const std::vector<const Metric*>& chosen,
+                                 const ComparisonConditions& conditions) {
+  return measure_with(chosen, [&](const Metric& metric) {
+    return metric.compare_mapped ? metric.compare_mapped(test, reference, conditions)
+                                 : judged(metric, test, conditions);
+  });
+}
+
+std::vector<Measurement> measure(const DisplayImage& test, const std::vector<const Metric*>& chosen,
+                                 const ComparisonConditions& conditions) {
+  return measure_with(chosen, [&](const Metric& metric) { return judged(metric, test, conditions); });
 }
 
 void add_measurement_rows(ResultTable& table, const std::vector<Measurement>& measurements,

@@ -17,12 +17,21 @@ float common_exposure(const LightField& field, double requested);
 /// Identifying columns of a row.
 using Columns = std::vector<std::pair<std::string, Cell>>;
 
-/// Runs the metrics that take this kind of image, in order.
+/// Runs the metrics that take this kind of image, in order; of display images also those that judge the test
+/// image alone.
 std::vector<Measurement> measure(const SceneImage& test, const SceneImage& reference,
                                  const std::vector<const Metric*>& chosen,
                                  const ComparisonConditions& conditions);
 std::vector<Measurement> measure(const DisplayImage& test, const DisplayImage& reference,
                                  const std::vector<const Metric*>& chosen,
+                                 const ComparisonConditions& conditions);
+
+/// Metrics that take a tone mapped image with its scene, and those that judge it alone.
+std::vector<Measurement> measure(const DisplayImage& test, const SceneImage& reference,
+                                 const std::vector<const Metric*>& chosen,
+                                 const ComparisonConditions& conditions);
+/// Metrics that judge an image alone.
+std::vector<Measurement> measure(const DisplayImage& test, const std::vector<const Metric*>& chosen,
                                  const ComparisonConditions& conditions);
 
 /// One row per measurement, all with the same identifying columns.

@@ -62,6 +62,7 @@ void ComparisonConditions::validate() const {
   if (!(difference_threshold >= 0 && difference_threshold <= 1)) {
     throw InputError(fmt::format("difference_threshold is {} but must lie in [0, 1]", difference_threshold));
   }
+  viewing.validate();
 }
 
 void check_comparable(const SceneImage& test, const SceneImage& reference,
@@ -70,6 +71,11 @@ void check_comparable(const SceneImage& test, const SceneImage& reference,
 }
 
 void check_comparable(const DisplayImage& test, const DisplayImage& reference,
+                      const ComparisonConditions& conditions) {
+  check_planes(test, reference, conditions);
+}
+
+void check_comparable(const DisplayImage& test, const SceneImage& reference,
                       const ComparisonConditions& conditions) {
   check_planes(test, reference, conditions);
 }

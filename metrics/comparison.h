@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/image/image.h"
+#include "metrics/viewing_conditions.h"
 
 namespace plenolab {
 
@@ -14,7 +15,8 @@ namespace plenolab {
 struct ComparisonConditions {
   float exposure = 1;  ///< scale before gamma encoding, > 0; display images are encoded already
   double cd_m2_per_unit =
-      1;  ///< luminance of a scene value of 1, > 0, for metrics of absolute luminance (PQ)
+      1;  ///< luminance of a scene value of 1, > 0, for metrics of absolute luminance (PQ, DRIM)
+  ViewingConditions viewing;           ///< for metrics of what a viewer sees
   double difference_threshold = 0.02;  ///< encoded differences above it are counted as visible, in [0, 1]
   const Mask* valid = nullptr;         ///< pixels to compare (non-zero), of the images' size; null = all
   int threads = 0;                     ///< 0 = all cores; results do not depend on it
@@ -40,6 +42,8 @@ struct Measurement {
 void check_comparable(const SceneImage& test, const SceneImage& reference,
                       const ComparisonConditions& conditions);
 void check_comparable(const DisplayImage& test, const DisplayImage& reference,
+                      const ComparisonConditions& conditions);
+void check_comparable(const DisplayImage& test, const SceneImage& reference,
                       const ComparisonConditions& conditions);
 
 /// Whether the pixel at `index` (row by row) takes part in the comparison.

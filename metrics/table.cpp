@@ -7,9 +7,13 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "metrics/brisque.h"
 #include "metrics/difference.h"
+#include "metrics/drim.h"
+#include "metrics/feature_distortion.h"
 #include "metrics/psnr.h"
 #include "metrics/ssim.h"
+#include "metrics/tmqi.h"
 
 namespace plenolab {
 namespace {
@@ -21,6 +25,9 @@ using SceneCompare = std::vector<Measurement> (*)(const SceneImage&, const Scene
                                                   const ComparisonConditions&);
 using DisplayCompare = std::vector<Measurement> (*)(const DisplayImage&, const DisplayImage&,
                                                     const ComparisonConditions&);
+
+using MappedCompare = std::vector<Measurement> (*)(const DisplayImage&, const SceneImage&,
+                                                   const ComparisonConditions&);
 
 MetricQuantity decibels(std::string name, std::string meaning) {
   return {std::move(name), "dB", Better::kHigher, -kInfinity, kInfinity, kInfinity, std::move(meaning)};
@@ -49,6 +56,42 @@ std::vector<MetricQuantity> difference_quantities() {
   add("share_above_threshold", Better::kLower, 0,
       "Share of pixels of which any channel differs by more than the threshold.");
   return quantities;
+}
+
+std::vector<MetricQuantity> drim_quantities() {
+  std::vector<MetricQuantity> quantities{{"drim_share_any", "1", Better::kLower, 0, 1, 0,
+                                          "Share of pixels with a distortion of probability ≥ 0.5."}};
+  const std::vector<std::pair<std::string, std::string>> kinds{
+      {"loss", "loss of visible contrast"},
+      {"amplification", "invisible contrast made visible"},
+      {"reversal", "visible contrast reversed"}};
+  for (const auto& [kind, words] : kinds)
+    quantities.push_back({"drim_share_" + kind, "1", Better::kLower, 0, 1, 0,
+                          fmt::format("Share of pixels with probability ≥ 0.5: {}.", words), false});
+  for (const auto& [kind, words] : kinds)
+    quantities.push_back({"drim_mean_" + kind, "%", Better::kLower, 0, 100, 0,
+                          fmt::format("Mean probability: {}.", words), false});
+  quantities.push_back(
+      {"drim_mean_total", "%", Better::kLower, 0, 300, 0, "Sum of the three mean probabilities.", false});
+  return quantities;
+}
+
+std::vector<MetricQuantity> tmqi_quantities() {
+  return {
+      {"tmqi", "1", Better::kHigher, 0, 1, kDependsOnImage, "Quality: fidelity and naturalness.", false},
+      {"tmqi_fidelity", "1", Better::kHigher, 0, 1, kDependsOnImage, "Structural fidelity on five scales."},
+      {"tmqi_naturalness", "1", Better::kHigher, 0, 1, kDependsOnImage,
+       "How usual mean luma and deviation are in photographs.", false}};
+}
+
+std::vector<MetricQuantity> feature_quantities(const std::string& name) {
+  const auto quantity = [&](const std::string& part, std::string meaning) {
+    return MetricQuantity{name + part, "1", Better::kLower, 0, 1, kDependsOnImage, std::move(meaning), false};
+  };
+  return {quantity("", "Mean of the three distortions."),
+          quantity("_brightness", "Difference of mean luma from that of the photographs."),
+          quantity("_saliency", "How far saliency lies elsewhere than in the photographs."),
+          quantity("_detail", "Gradient energy lost in the darkest and brightest quarter.")};
 }
 
 /// One line a metric.
@@ -90,6 +133,42 @@ std::vector<Metric> make_table() {
        "Statistics of differences of gamma-encoded values, channel by channel.", true,
        difference_quantities(), static_cast<SceneCompare>(difference_gamma),
        static_cast<DisplayCompare>(difference_gamma)},
+      {.name = "drim",
+       .family = "drim",
+       .summary = "Visible contrast lost, amplified or reversed, at any dynamic range (Aydin et al. 2008).",
+       .symmetric = false,
+       .quantities = drim_quantities(),
+       .compare_scene = static_cast<SceneCompare>(drim),
+       .compare_display = static_cast<DisplayCompare>(drim),
+       .compare_mapped = static_cast<MappedCompare>(drim),
+       .absolute_luminance = true},
+      {.name = "tmqi",
+       .family = "tmqi",
+       .summary = "Tone mapped image quality index (Yeganeh & Wang 2013).",
+       .symmetric = false,
+       .quantities = tmqi_quantities(),
+       .compare_mapped = tmqi},
+      {.name = "feature_photographic",
+       .family = "feature",
+       .summary = "Brightness, saliency and detail against virtual photographs (after Gao et al. 2017).",
+       .symmetric = false,
+       .quantities = feature_quantities("feature_photographic"),
+       .compare_mapped = feature_photographic},
+      {.name = "feature_content_adaptive",
+       .family = "feature",
+       .summary = "The same with photographs by the content adaptive operator (Zhao 2019).",
+       .symmetric = false,
+       .quantities = feature_quantities("feature_content_adaptive"),
+       .compare_mapped = feature_content_adaptive,
+       .absolute_luminance = true},
+      {.name = "brisque_plenolab",
+       .family = "brisque",
+       .summary = "Features of BRISQUE (Mittal et al. 2012) in a regressor trained on plenolab's scenes; not "
+                  "the published score.",
+       .symmetric = false,
+       .quantities = {{"brisque_plenolab", "1", Better::kLower, 0, 100, kDependsOnImage,
+                       "How unlike undistorted pictures the statistics of the image are.", false}},
+       .judge = brisque_plenolab},
   };
 }
 

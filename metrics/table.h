@@ -25,9 +25,10 @@ struct MetricQuantity {
   double minimum = 0, maximum = 0;  ///< range of values, may be infinite
   double identical = 0;             ///< value for two equal images (NaN = depends on the image)
   std::string meaning;              ///< one sentence
+  bool monotone = true;             ///< never better with more noise; else only in the large
 };
 
-/// A full-reference metric: compares a test image with a reference of the same size.
+/// A metric: compares a test image with a reference of the same size, or judges an image without one.
 struct Metric {
   std::string name;                        ///< on the command line, e.g. "psnr_gamma"
   std::string family;                      ///< selects several at once, e.g. "psnr"
@@ -42,6 +43,14 @@ struct Metric {
   std::function<std::vector<Measurement>(const DisplayImage& test, const DisplayImage& reference,
                                          const ComparisonConditions&)>
       compare_display;
+  /// A tone mapped image with the scene it shows; empty if the metric does not take them.
+  std::function<std::vector<Measurement>(const DisplayImage& test, const SceneImage& reference,
+                                         const ComparisonConditions&)>
+      compare_mapped;
+  /// A display-referred image alone; empty for metrics that need a reference, and the only one that is not
+  /// empty for those that take none.
+  std::function<std::vector<Measurement>(const DisplayImage& test, const ComparisonConditions&)> judge;
+  bool absolute_luminance = false;  ///< whether the numbers mean nothing without the scale of scene images
 };
 
 /// All metrics. Adding one: a file with its function and a line in metrics/table.cpp.

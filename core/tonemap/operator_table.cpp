@@ -29,6 +29,7 @@ const std::vector<OperatorInfo>& tone_mapping_operators() {
       robust_adaptive_entry(),
       generic_entry(),
       pq_entry(),
+      content_adaptive_entry(),
   };
   return table;
 }

@@ -42,6 +42,11 @@ double pq_signal(double luminance_cd_m2) {
   return std::pow((kC1 + kC2 * y) / (1 + kC3 * y), kM2);
 }
 
+double pq_luminance(double signal) {
+  const double v = std::pow(std::max(signal, 0.0), 1 / kM2);
+  return 1e4 * std::pow(std::max(v - kC1, 0.0) / (kC2 - kC3 * v), 1 / kM1);
+}
+
 ToneMapped apply(const PqOptions& options, const SceneImage& view, int threads) {
   options.validate();
   const double inverse_peak_signal = 1 / pq_signal(options.peak_cd_m2);

@@ -19,6 +19,8 @@ struct PqOptions {
 
 /// V of a luminance in cd/m², not cut above 10⁴ cd/m² (V(1e9) = 1.776), which pq_encode (colour.h) is. ≥ 0.
 double pq_signal(double luminance_cd_m2);
+/// Its inverse, for signals below 1.99 (where it has its pole).
+double pq_luminance(double signal);
 
 ToneMapped apply(const PqOptions& options, const SceneImage& view, int threads = 0);
 

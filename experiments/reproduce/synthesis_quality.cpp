@@ -36,7 +36,7 @@ ImageComparison comparison_of(const std::string& title, const NovelView<SceneRef
 
 SceneScore score_scene(Laboratory& laboratory, const std::string& id, ReproductionResult& result) {
   SceneScore score;
-  const auto metrics = select_metrics(std::vector<std::string>{"all"});
+  const auto metrics = select_metrics(std::vector<std::string>{"psnr", "ssim", "difference"});
   const ViewGrid grid = laboratory.grid(id);
   for (const CameraPosition position : scored_positions(grid)) {
     const KeyView<SceneReferred> truth = laboratory.truth(id, position);

@@ -59,8 +59,34 @@ SceneImage blurred(SceneImage image, int times) {
   return image;
 }
 
+/// Encoded, with NaN and infinity left as they are.
 DisplayImage as_display(const SceneImage& image) {
-  return expose(image, 1);
+  DisplayImage display = expose(image, 1);
+  for (std::size_t i = 0; i < image.size(); ++i) {
+    const Rgb c = image.pixels()[i];
+    if (!std::isfinite(c.r) || !std::isfinite(c.g) || !std::isfinite(c.b)) display.pixels()[i] = c;
+  }
+  return display;
+}
+
+/// Runs the metric on scene images, or on what it takes of them: the test image as mapped by exposure 1.
+std::vector<Measurement> run(const Metric& metric, const SceneImage& test, const SceneImage& reference,
+                             const ComparisonConditions& conditions) {
+  if (metric.compare_scene) return metric.compare_scene(test, reference, conditions);
+  if (metric.compare_mapped) return metric.compare_mapped(as_display(test), reference, conditions);
+  return metric.judge(as_display(test), conditions);
+}
+
+/// Everything that a metric takes, of the same two images.
+std::vector<std::vector<Measurement>> run_all(const Metric& metric, const SceneImage& test,
+                                              const SceneImage& reference) {
+  std::vector<std::vector<Measurement>> results;
+  const DisplayImage shown = as_display(test), shown_reference = as_display(reference);
+  if (metric.compare_scene) results.push_back(metric.compare_scene(test, reference, {}));
+  if (metric.compare_display) results.push_back(metric.compare_display(shown, shown_reference, {}));
+  if (metric.compare_mapped) results.push_back(metric.compare_mapped(shown, reference, {}));
+  if (metric.judge) results.push_back(metric.judge(shown, {}));
+  return results;
 }
 
 /// Images with everything that numbers can do to a metric.
@@ -118,7 +144,8 @@ TEST_P(EveryMetric, IsDescribedInFull) {
   EXPECT_FALSE(metric.summary.empty());
   EXPECT_FALSE(metric.family.empty());
   EXPECT_FALSE(metric.quantities.empty());
-  EXPECT_TRUE(metric.compare_scene || metric.compare_display);
+  EXPECT_TRUE(metric.compare_scene || metric.compare_display || metric.compare_mapped || metric.judge);
+  EXPECT_TRUE(!metric.judge || !(metric.compare_scene || metric.compare_display || metric.compare_mapped));
   for (const MetricQuantity& quantity : metric.quantities) EXPECT_FALSE(quantity.meaning.empty());
 }
 
@@ -132,10 +159,11 @@ TEST_P(EveryMetric, GivesItsIdentityValueForEqualImages) {
 
 TEST_P(EveryMetric, GetsWorseWithMoreNoise) {
   const SceneImage truth = textured(40, 30);
-  std::vector<Measurement> before = GetParam().compare_scene(truth, truth, {});
+  std::vector<Measurement> before = run(GetParam(), truth, truth, {});
   for (const float amplitude : {0.02f, 0.1f, 0.4f, 1.0f}) {
-    const std::vector<Measurement> now = GetParam().compare_scene(with_noise(truth, amplitude), truth, {});
+    const std::vector<Measurement> now = run(GetParam(), with_noise(truth, amplitude), truth, {});
     for (std::size_t i = 0; i < now.size(); ++i) {
+      if (!GetParam().quantities[i].monotone) continue;
       EXPECT_TRUE(not_better(GetParam().quantities[i].better, now[i].value, before[i].value))
           << now[i].quantity << " " << before[i].value << " → " << now[i].value << " at noise " << amplitude;
     }
@@ -145,10 +173,11 @@ TEST_P(EveryMetric, GetsWorseWithMoreNoise) {
 
 TEST_P(EveryMetric, GetsWorseWithMoreBlur) {
   const SceneImage truth = with_noise(textured(40, 30), 0.3f);
-  double before = GetParam().compare_scene(truth, truth, {}).front().value;
+  if (!GetParam().quantities.front().monotone) GTEST_SKIP() << "worse only in the large";
+  double before = run(GetParam(), truth, truth, {}).front().value;
   const Better better = GetParam().quantities.front().better;
   for (const int times : {1, 3, 9}) {
-    const double now = GetParam().compare_scene(blurred(truth, times), truth, {}).front().value;
+    const double now = run(GetParam(), blurred(truth, times), truth, {}).front().value;
     EXPECT_TRUE(not_better(better, now, before)) << before << " → " << now << " at " << times;
     before = now;
   }
@@ -157,7 +186,7 @@ TEST_P(EveryMetric, GetsWorseWithMoreBlur) {
 TEST_P(EveryMetric, IsSymmetricWhereTheTableSaysSo) {
   if (!GetParam().symmetric) GTEST_SKIP() << "not symmetric";
   const SceneImage a = textured(20, 15), b = with_noise(a, 0.3f);
-  const auto forward = GetParam().compare_scene(a, b, {}), backward = GetParam().compare_scene(b, a, {});
+  const auto forward = run(GetParam(), a, b, {}), backward = run(GetParam(), b, a, {});
   for (std::size_t i = 0; i < forward.size(); ++i) {
     const Better better = GetParam().quantities[i].better;
     if (better == Better::kNeither) continue;
@@ -171,11 +200,7 @@ TEST_P(EveryMetric, StaysInRangeOnExtremeImages) {
     const std::vector<SceneImage> images = extreme_images(width, height);
     for (const SceneImage& test : images) {
       for (const SceneImage& reference : images) {
-        expect_in_range(GetParam(), GetParam().compare_scene(test, reference, {}));
-        if (GetParam().compare_display) {
-          expect_in_range(GetParam(),
-                          GetParam().compare_display(as_display(test), as_display(reference), {}));
-        }
+        for (const auto& rows : run_all(GetParam(), test, reference)) expect_in_range(GetParam(), rows);
       }
     }
   }
@@ -186,7 +211,7 @@ TEST_P(EveryMetric, DoesNotDependOnTheNumberOfThreads) {
   const auto compare = [&](int threads) {
     ComparisonConditions conditions;
     conditions.threads = threads;
-    return GetParam().compare_scene(test, truth, conditions);
+    return run(GetParam(), test, truth, conditions);
   };
   const auto one = compare(1), many = compare(4);
   for (std::size_t i = 0; i < one.size(); ++i) EXPECT_EQ(one[i].value, many[i].value) << one[i].quantity;
@@ -204,12 +229,16 @@ TEST_P(EveryMetric, LooksOnlyAtValidPixels) {
   }
   ComparisonConditions conditions;
   conditions.valid = &valid;
-  expect_identity(GetParam(), GetParam().compare_scene(broken, truth, conditions));
+  const std::vector<Measurement> rows = run(GetParam(), broken, truth, conditions);
+  expect_identity(GetParam(), rows);
+  const std::vector<Measurement> unbroken = run(GetParam(), truth, truth, conditions);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    EXPECT_EQ(rows[i].value, unbroken[i].value) << rows[i].quantity;
 }
 
 std::string comparison_message(const Metric& metric, const SceneImage& test, const SceneImage& reference,
                                const ComparisonConditions& conditions) {
-  return message_of([&] { metric.compare_scene(test, reference, conditions); });
+  return message_of([&] { run(metric, test, reference, conditions); });
 }
 
 TEST_P(EveryMetric, CountsNonFinitePixelsInItsError) {
@@ -219,11 +248,13 @@ TEST_P(EveryMetric, CountsNonFinitePixelsInItsError) {
   broken.at(5, 4).r = std::numeric_limits<float>::infinity();
   EXPECT_NE(comparison_message(GetParam(), broken, truth, {}).find("test image has 2 pixels"),
             std::string::npos);
+  if (GetParam().judge) return;
   EXPECT_NE(comparison_message(GetParam(), truth, broken, {}).find("reference image has 2 pixels"),
             std::string::npos);
 }
 
 TEST_P(EveryMetric, NamesBothSizesWhenTheyDiffer) {
+  if (GetParam().judge) GTEST_SKIP() << "takes one image";
   const std::string message = comparison_message(GetParam(), textured(12, 13), textured(14, 15), {});
   EXPECT_NE(message.find("12×13"), std::string::npos) << message;
   EXPECT_NE(message.find("14×15"), std::string::npos) << message;
