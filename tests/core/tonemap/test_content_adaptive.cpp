@@ -1,5 +1,4 @@
 #include "core/tonemap/content_adaptive.h"
-#include "core/tonemap/pq_operator.h"
 
 #include <gtest/gtest.h>
 
@@ -7,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/random.h"
+#include "core/tonemap/pq_operator.h"
 #include "tests/support/message_of.h"
 
 namespace plenolab {
