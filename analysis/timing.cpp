@@ -37,6 +37,23 @@ TimingSummary time_repeated(const std::function<void()>& work, const TimingOptio
   return summarise_times(std::move(seconds));
 }
 
+std::vector<std::vector<double>> medians_in_turn(const std::vector<StagedWork>& works,
+                                                 const TimingOptions& options) {
+  options.validate();
+  std::vector<std::vector<std::vector<double>>> seconds(works.size());  // of work, stage and run
+  for (int round = 0; round < options.warm_up_runs + options.runs; ++round)
+    for (std::size_t w = 0; w < works.size(); ++w) {
+      const std::vector<double> stages = works[w]();
+      if (round < options.warm_up_runs) continue;
+      seconds[w].resize(stages.size());
+      for (std::size_t s = 0; s < stages.size(); ++s) seconds[w][s].push_back(stages[s]);
+    }
+  std::vector<std::vector<double>> medians(works.size());
+  for (std::size_t w = 0; w < works.size(); ++w)
+    for (const std::vector<double>& runs : seconds[w]) medians[w].push_back(median(runs));
+  return medians;
+}
+
 void add_timing_rows(ResultTable& table, const TimingSummary& timing,
                      const std::vector<std::pair<std::string, Cell>>& columns) {
   const auto add = [&](const char* quantity, double value, const char* unit) {

@@ -43,6 +43,15 @@ struct TimingOptions {
 /// Runs `work` warm_up_runs + runs times and summarises the timed ones.
 TimingSummary time_repeated(const std::function<void()>& work, const TimingOptions& options = {});
 
+/// Work that measures its stages itself and returns their seconds, as many each time.
+using StagedWork = std::function<std::vector<double>()>;
+
+/// Medians by work and stage. Every round runs each piece of work once, one after the other: what slows the
+/// machine for a while slows all of them, and their ratios hardly change. `options.warm_up_runs` rounds go
+/// before those that count.
+std::vector<std::vector<double>> medians_in_turn(const std::vector<StagedWork>& works,
+                                                 const TimingOptions& options = {});
+
 /// Rows seconds_median, seconds_lower_quartile, seconds_upper_quartile, seconds_min, seconds_max (unit s) and
 /// runs, all with the same identifying columns.
 void add_timing_rows(ResultTable& table, const TimingSummary& timing,

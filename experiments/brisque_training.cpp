@@ -203,13 +203,15 @@ std::string array_text(const std::string& name, const std::vector<double>& value
 
 std::vector<TrainingPicture> brisque_training_pictures(const BrisqueTrainingOptions& options,
                                                        const Progress& progress) {
+  std::vector<SceneEntry> entries(scenes().begin(), scenes().end());
+  entries.insert(entries.end(), near_eye_scenes().begin(), near_eye_scenes().end());
   std::vector<TrainingPicture> pictures;
   double done = 0;
-  for (const SceneEntry& entry : scenes()) {
+  for (const SceneEntry& entry : entries) {
     for (const SceneImage& view : views_of(entry, options))
       for (const float exposure : kExposures)
         add_pictures(pictures, entry.id, expose(view, exposure * exposure_from(view)), options);
-    if (progress) progress(++done / static_cast<double>(scenes().size()));
+    if (progress) progress(++done / static_cast<double>(entries.size()));
   }
   return pictures;
 }

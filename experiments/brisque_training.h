@@ -30,10 +30,11 @@ struct TrainingPicture {
   double target = 0;  ///< 100·(1 − SSIM with the undistorted picture)
 };
 
-/// Two views of every scene at three exposures, each undistorted and by four distortions of five strengths:
-/// Gaussian noise (standard deviation 0.01 … 0.16 of full scale), Gaussian blur (σ 0.6 … 4.8 px), JPEG
-/// (quality 60 … 5) and few levels (32 … 4 per channel). Loss of contrast all over is not among them: locally
-/// normalised luma hardly changes with it (tried: no correlation on scenes left out).
+/// Two views of every scene, near-eye ones included, at three exposures, each undistorted and by four
+/// distortions of five strengths: Gaussian noise (standard deviation 0.01 … 0.16 of full scale), Gaussian
+/// blur (σ 0.6 … 4.8 px), JPEG (quality 60 … 5) and few levels (32 … 4 per channel). Loss of contrast all
+/// over is not among them: locally normalised luma hardly changes with it (tried: no correlation on scenes
+/// left out).
 std::vector<TrainingPicture> brisque_training_pictures(const BrisqueTrainingOptions& options,
                                                        const Progress& progress = {});
 

@@ -44,6 +44,12 @@ void run_scenes(const Invocation& invocation, const CommonOptions& options) {
     text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} quick: {}\n{:<15} paper: {}\n\n", scene.id, scene.title,
                         "", scene.description, "", preset_line(scene.quick), "", preset_line(scene.paper));
   }
+  for (const LitSceneEntry& entry : display_scenes()) {
+    const Scene scene = entry.build().scene;
+    table.add({"for_displays", 1, "1", {{"scene", scene.id}}});
+    text += fmt::format("{:<15} {}\n{:<15} {}\n{:<15} for 'plenolab luminance'\n\n", scene.id, scene.title,
+                        "", scene.description, "");
+  }
   if (!output_is_for_programs(options)) fmt::print("{}", text);
   write_results(table, provenance, options);
 }

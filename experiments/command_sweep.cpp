@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "experiments/cli/checks.h"
+#include "experiments/cli/display_options.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/operator_options.h"
 #include "experiments/cli/output.h"
@@ -15,6 +16,7 @@
 #include "experiments/cli/scenes.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/sweep_drim.h"
+#include "experiments/sweep_luminance.h"
 #include "experiments/sweep_reprojection.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
@@ -162,6 +164,15 @@ ResultTable run_drim_sweep(const SweepOptions& options, const fs::path& folder) 
   return table;
 }
 
+ResultTable run_luminance_sweep(const SweepOptions& options, const fs::path& folder) {
+  require_field_source(options.source, {});
+  const ShownField field = open_field(options.source, {}, {.threads = options.common.threads});
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_luminance(field, run_of(options, bar));
+  write_sweep_plot(table, luminance_sweep_plot(), fs::path(field.name).filename().string(), folder);
+  return table;
+}
+
 /// A method with the table in which people see its rows.
 struct SweepMethod {
   const char* name;
@@ -214,6 +225,10 @@ const std::vector<SweepMethod>& methods() {
         {"seconds_median", "seconds"},
         {"memory_peak_mib", "peak [MiB]"},
         {"on_pareto_front", "Pareto front"}}},
+      {"luminance",
+       run_luminance_sweep,
+       {"scene", "method", "pinhole", "samples"},
+       tone_columns({{"rms_error_to_scene", "to the scene"}})},
   };
   return table;
 }
@@ -275,7 +290,7 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
          "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
          "truth; bilateral, histogram, drim: image with radiance; adjustment: folder of a light field; "
          "reprojection: "
-         "scenes only")
+         "scenes only; luminance: pillars, sphere, or folder with display.json")
       ->required();
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
@@ -292,7 +307,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "grid "
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
       "drim: scale of the images and orientations. "
-      "reprojection: steps, cameras and supersampling for the near-eye display.\n"
+      "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
+      "images, smoothing and spread on a projector display.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });

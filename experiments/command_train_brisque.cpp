@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "core/base/file.h"
@@ -43,6 +44,39 @@ Agreement agreement_where(const std::vector<TrainingPicture>& pictures, const st
   return agreement(some_scores, targets);
 }
 
+/// How held-out scores agree with targets: over all pictures, by distortion and by scene.
+ResultTable hold_out_table(const std::vector<TrainingPicture>& pictures, const std::vector<double>& scores) {
+  ResultTable table;
+  add_agreement_rows(table, "all", agreement_where(pictures, scores, [](const auto&) { return true; }));
+  std::vector<std::string> distortions, scene_ids;
+  const auto note = [](std::vector<std::string>& names, const std::string& name) {
+    if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  };
+  for (const TrainingPicture& picture : pictures) {
+    note(distortions, picture.distortion);
+    note(scene_ids, picture.scene);
+  }
+  for (const std::string& name : distortions)
+    add_agreement_rows(
+        table, name, agreement_where(pictures, scores, [&](const auto& p) { return p.distortion == name; }));
+  for (const std::string& id : scene_ids)
+    add_agreement_rows(table, id,
+                       agreement_where(pictures, scores, [&](const auto& p) { return p.scene == id; }));
+  return table;
+}
+
+std::vector<std::string> provenance_lines(const BrisqueTrainingOptions& training, const Agreement& all) {
+  return {
+      fmt::format("Written by plenolab train-brisque --seed {} --paths {} --width {} --ridge {}: ridge",
+                  training.seed, training.paths_per_pixel, training.width, training.ridge),
+      fmt::format(
+          "regression on {} pictures of plenolab's scenes with targets 100·(1 − SSIM). For scenes that",
+          all.pictures),
+      fmt::format("were left out of the training, scores and targets correlate with r = {:.3f} (Pearson) and",
+                  all.pearson),
+      fmt::format("{:.3f} (Spearman), with an RMS error of {:.1f}.", all.spearman, all.rms_error)};
+}
+
 void run_train(const Invocation& invocation, TrainOptions options) {
   Provenance provenance = begin_run(invocation, options.common);
   BrisqueTrainingOptions& training = options.training;
@@ -53,29 +87,14 @@ void run_train(const Invocation& invocation, TrainOptions options) {
   const std::vector<TrainingPicture> pictures = brisque_training_pictures(training, bar.callback());
   bar.clear();
   const std::vector<double> scores = hold_out_scores(pictures, training.ridge);
-  const Agreement all = agreement_where(pictures, scores, [](const auto&) { return true; });
-  ResultTable table;
-  add_agreement_rows(table, "all", all);
-  for (const std::string name : {"none", "noise", "blur", "jpeg", "levels"})
-    add_agreement_rows(table, name, agreement_where(pictures, scores, [&](const TrainingPicture& p) {
-                         return p.distortion == name;
-                       }));
   if (!options.out.empty()) {
-    const std::vector<std::string> comment{
-        fmt::format("Written by plenolab train-brisque --seed {} --paths {} --width {} --ridge {}: ridge",
-                    training.seed, training.paths_per_pixel, training.width, training.ridge),
-        fmt::format(
-            "regression on {} pictures of plenolab's scenes with targets 100·(1 − SSIM). For scenes that",
-            all.pictures),
-        fmt::format(
-            "were left out of the training, scores and targets correlate with r = {:.3f} (Pearson) and",
-            all.pearson),
-        fmt::format("{:.3f} (Spearman), with an RMS error of {:.1f}.", all.spearman, all.rms_error)};
-    write_text_file(options.out, brisque_weights_header(train_brisque(pictures, training.ridge), comment));
+    const Agreement all = agreement_where(pictures, scores, [](const auto&) { return true; });
+    write_text_file(options.out, brisque_weights_header(train_brisque(pictures, training.ridge),
+                                                        provenance_lines(training, all)));
     write_run_json_beside(options.out, provenance);
     tell(options.common, fmt::format("wrote {}", options.out));
   }
-  emit_results(table, provenance, options.common);
+  emit_results(hold_out_table(pictures, scores), provenance, options.common);
 }
 
 }  // namespace

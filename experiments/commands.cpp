@@ -20,6 +20,7 @@ void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
 void add_optimise_command(CLI::App& app, const Invocation& invocation);
 void add_lut_command(CLI::App& app, const Invocation& invocation);
+void add_luminance_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_session_command(CLI::App& app, const Invocation& invocation);
 void add_analyse_command(CLI::App& app, const Invocation& invocation);
@@ -51,6 +52,9 @@ std::span<const Command> commands() {
       Command{"optimise", "Tune the generic operator to one image by a quality metric", add_optimise_command},
       Command{"lut", "Look-up tables of colour: apply, blend, transfer, post-processing volumes",
               add_lut_command},
+      Command{"luminance",
+              "Luminance that observers of a light-field display adapt to, and tone mapping with it",
+              add_luminance_command},
       Command{"sweep", "Error against run time and memory of a method", add_sweep_command},
       Command{"session", "Participant sessions: run, resume, simulate, list and export them",
               add_session_command},

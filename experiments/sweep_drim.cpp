@@ -104,7 +104,7 @@ ResultTable sweep_drim(const SweepImage& image, double cd_m2_per_unit, const Ope
 }
 
 SweepPlotDesign drim_sweep_plot() {
-  return {"mean_error", "mean error of probabilities", "1", {"divisor"}, "orientations"};
+  return {"mean_error", "Mean error of probabilities", "1", {"divisor"}, "orientations"};
 }
 
 }  // namespace plenolab

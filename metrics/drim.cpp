@@ -178,11 +178,13 @@ DrimMaps drim_maps(const Plane<float>& test_cd_m2, const Plane<float>& reference
     throw InputError(fmt::format("DRIM compares images of one size, not {}×{} with {}×{}", width, height,
                                  reference_cd_m2.width(), reference_cd_m2.height()));
   const Canvas canvas = vision::canvas_for(width, height);
+  const std::array<const Plane<float>*, 2> images{&test_cd_m2, &reference_cd_m2};
   std::array<Spectrum, 2> spectra;
-  spectra[0] =
-      vision::spectrum_of(vision::pad(vision::perceived_contrast(test_cd_m2, viewing, threads), canvas));
-  spectra[1] =
-      vision::spectrum_of(vision::pad(vision::perceived_contrast(reference_cd_m2, viewing, threads), canvas));
+  parallel_for(2, 1, threads, [&](int begin, int end) {
+    for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      spectra[i] =
+          vision::spectrum_of(vision::pad(vision::perceived_contrast(*images[i], viewing, threads), canvas));
+  });
   const CortexLayout layout{options.bands, options.orientations};
   const double half_margin = std::pow(10, options.margin_log10 / 2);
   const Scales scales{static_cast<float>(1 / (options.threshold_jnd * half_margin)),

@@ -25,7 +25,6 @@ using SceneCompare = std::vector<Measurement> (*)(const SceneImage&, const Scene
                                                   const ComparisonConditions&);
 using DisplayCompare = std::vector<Measurement> (*)(const DisplayImage&, const DisplayImage&,
                                                     const ComparisonConditions&);
-
 using MappedCompare = std::vector<Measurement> (*)(const DisplayImage&, const SceneImage&,
                                                    const ComparisonConditions&);
 

@@ -52,7 +52,7 @@ void adjust_p_values(Study& study) {
     study.rows[i].p_bh = by_bh[i];
     study.rows[i].equivalence_p_holm = equivalence_by_holm[i];
   }
-  study.any_false_pass = -std::expm1(log_none);
+  study.any_false_pass = std::abs(std::expm1(log_none));  // no negative zero where no count passes
 }
 
 template <class Keep>
@@ -64,20 +64,19 @@ std::vector<StudyTrial> those(const std::vector<StudyTrial>& trials, const Keep&
 }
 
 ObserverSummary summarise(const std::string& display, const std::vector<StudyTrial>& trials,
-                          double confidence) {
-  return {display, position_bias(trials, confidence), lapse_rate(trials, confidence),
-          participant_effect(trials, {.confidence = confidence})};
+                          const StudyOptions& options) {
+  return {display, position_bias(trials, options.confidence), lapse_rate(trials, options.confidence),
+          participant_effect(trials, {.confidence = options.confidence, .seed = options.seed})};
 }
 
 void add_observers(Study& study, const std::vector<StudyTrial>& trials) {
-  const double confidence = study.options.confidence;
   std::set<std::string> seen;
   for (const StudyTrial& trial : trials)
     if (seen.insert(trial.display).second)
       study.observers.push_back(summarise(
           trial.display, those(trials, [&](const StudyTrial& t) { return t.display == trial.display; }),
-          confidence));
-  study.observers.push_back(summarise("", trials, confidence));
+          study.options));
+  study.observers.push_back(summarise("", trials, study.options));
 }
 
 RepeatedTrials repeated_trials(const std::vector<StudyTrial>& of_image, const StudyOptions& options) {
@@ -103,12 +102,22 @@ std::string doubt_of_attention(const std::optional<LapseEstimate>& lapse, double
       lapse->wrong.count.hits, lapse->wrong.count.trials, 100 * lapse->lapse.high, 100 * most_lapses);
 }
 
+/// A rate near 0.5 that is the mean of those who see a difference and those who take the test image for the
+/// reference does not show that the images look the same.
+std::string doubt_of_likeness(const std::optional<ParticipantEffect>& effect, double alpha) {
+  if (!effect || effect->p_value >= alpha) return "";
+  return fmt::format(
+      "only on average: participants differ on this display (p = {}), and some may see a difference",
+      format_number(effect->p_value, 3));
+}
+
 std::string doubt(const StudyRow& row, const Study& study) {
   if (row.repeated()) return "participants have several trials of the image, which are not independent";
   const auto observer =
       std::find_if(study.observers.begin(), study.observers.end(),
                    [&](const ObserverSummary& o) { return o.display == row.count.display; });
-  return doubt_of_attention(observer->lapse, study.options.most_lapses);
+  const std::string attention = doubt_of_attention(observer->lapse, study.options.most_lapses);
+  return attention.empty() ? doubt_of_likeness(observer->participants, study.options.alpha) : attention;
 }
 
 void add_interval(ResultTable& table, const std::string& quantity, const Interval& interval,

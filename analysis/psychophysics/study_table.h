@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ struct StudyOptions {
   /// Who guesses brings a rate nearer to 0.5: with a share λ of lapses, answers within 0.5 ± margin come from
   /// rates within 0.5 ± margin / (1 − λ), at 0.2 a margin wider by a quarter.
   double most_lapses = 0.2;
+  std::uint64_t seed = 1;  ///< of what is resampled: intervals and p of ParticipantEffect
 
   /// Throws InputError naming the value out of range.
   void validate() const;

@@ -35,6 +35,7 @@ StudyOptions study_options(const TableOptions& options) {
   study.alpha = options.test.alpha;
   study.confidence = options.confidence;
   study.most_lapses = options.most_lapses;
+  study.seed = options.common.seed;
   study.interval = options.interval == "wilson"     ? IntervalMethod::kWilson
                    : options.interval == "jeffreys" ? IntervalMethod::kJeffreys
                                                     : IntervalMethod::kClopperPearson;

@@ -107,6 +107,8 @@ void write_result_folder(const ResultFolder& folder, Provenance& provenance,
         write(temporary);
         finish_provenance(provenance);
         write_run_file(folder, provenance, temporary);
+        if (folder.for_owner_alone)
+          fs::permissions(temporary / kRunFile, fs::perms::owner_read | fs::perms::owner_write);
       },
       decide(folder));
 }

@@ -15,9 +15,10 @@ namespace plenolab {
 /// A folder that a command leaves its result in.
 struct ResultFolder {
   std::string path;
-  std::string command;  ///< e.g. "render"
-  std::string item;     ///< what it was run on, as it would be typed: "cellar --preset quick"
-  bool force = false;   ///< --force
+  std::string command;           ///< e.g. "render"
+  std::string item;              ///< what it was run on, as it would be typed: "cellar --preset quick"
+  bool force = false;            ///< --force
+  bool for_owner_alone = false;  ///< nobody else may read run.json, as `write` has to do with other files
 };
 
 /// Declares --force.

@@ -7,6 +7,7 @@
 #include "analysis/timing.h"
 #include "core/base/parallel.h"
 #include "experiments/reproduce/display/near_eye_bench.h"
+#include "experiments/reproduce/luminance/luminance_bench.h"
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
@@ -51,6 +52,11 @@ MappingBench& Laboratory::mapping_bench() {
 NearEyeBench& Laboratory::near_eye_bench() {
   if (!near_eye_bench_) near_eye_bench_ = std::make_unique<NearEyeBench>(*this);
   return *near_eye_bench_;
+}
+
+LuminanceBench& Laboratory::luminance_bench() {
+  if (!luminance_bench_) luminance_bench_ = std::make_unique<LuminanceBench>(options_);
+  return *luminance_bench_;
 }
 
 std::vector<std::string> Laboratory::scene_ids() const {

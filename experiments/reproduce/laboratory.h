@@ -14,6 +14,7 @@
 
 namespace plenolab {
 
+class LuminanceBench;
 class MappingBench;
 class NearEyeBench;
 
@@ -87,6 +88,8 @@ class Laboratory {
   MappingBench& mapping_bench();
   /// What the items on the near-eye display share (experiments/reproduce/display).
   NearEyeBench& near_eye_bench();
+  /// What the items on the luminance of a projector display share (experiments/reproduce/luminance).
+  LuminanceBench& luminance_bench();
 
   const RenderingTally& tally() const { return tally_; }
 
@@ -104,6 +107,7 @@ class Laboratory {
   std::map<std::string, PreparedScene> prepared_variants_;
   std::unique_ptr<MappingBench> mapping_bench_;
   std::unique_ptr<NearEyeBench> near_eye_bench_;
+  std::unique_ptr<LuminanceBench> luminance_bench_;
   std::mutex tally_mutex_;
   RenderingTally tally_;
 };

@@ -53,6 +53,8 @@ const char* title_of(Chapter chapter) {
       return "What participants could tell apart";
     case Chapter::kCalibration:
       return "Calibration of the display";
+    case Chapter::kLuminance:
+      return "Luminance on a projector display";
     case Chapter::kSpeed:
       return "Error against run time";
     case Chapter::kClaims:

@@ -54,6 +54,7 @@ enum class Chapter {
   kDisplay,      ///< near-eye light-field display: optics and reprojection
   kStudy,        ///< participants: sessions and their analysis
   kCalibration,  ///< fits of the display's lengths and angles
+  kLuminance,    ///< luminance that observers of a projector display adapt to
   kSpeed,
   kClaims,
 };

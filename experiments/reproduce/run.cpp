@@ -72,6 +72,7 @@ const std::vector<LedgerPart>& ledger_parts() {
       {"View synthesis: Altmeier, sections 3, 4 and 6.1", {"A-G", "A-A"}},
       {"Tone mapping: Altmeier, sections 2.1, 5, 6.2, 6.3 and 7", {"A-T", "A-S"}},
       {"Near-eye light-field display and its study: Hansen & Klein, with Kraus", {"H-"}},
+      {"Luminance on a projector display: Doronin & Barsi", {"D-"}},
   };
   return parts;
 }
@@ -171,7 +172,9 @@ Report assemble_report(const std::vector<FinishedReproduction>& finished, const 
   report.subtitle =
       "Views synthesised from sparse key views against ground truth, and the consistency of tone mapping "
       "within them and over time, after Altmeier 2018; a near-eye light-field display, its study and its "
-      "calibration, after Hansen & Klein 2016. Measured on procedural scenes.";
+      "calibration, after Hansen & Klein 2016; luminance on a projector display, after Doronin & Barsi 2018. "
+      "Measured on "
+      "procedural scenes.";
   std::vector<LedgerEntry> ledger;
   for (const FinishedReproduction& f : finished) {
     for (const KeyFigure& figure : f.result.key_figures) report.key_figures.push_back(figure);

@@ -109,6 +109,18 @@ ReproductionResult reproduce_simulated_study(Laboratory& laboratory);
 ReproductionResult reproduce_run_time_test(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h1(Laboratory& laboratory);
 ReproductionResult reproduce_claim_h13(Laboratory& laboratory);
+ReproductionResult reproduce_pillars_views(Laboratory& laboratory);
+ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory);
+ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory);
+ReproductionResult reproduce_sphere_mapped(Laboratory& laboratory);
+ReproductionResult reproduce_pillars_mapped(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d3(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_d7(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -230,6 +242,31 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"hansen-fov-conflict",
                    "Claim H-10: 17.28° calculated, 19.86° measured, smaller subimages sharp",
                    Chapter::kCalibration, reproduce_field_of_view_conflict},
+      Reproduction{"doronin-fig-2", "Figure 2: Pillars in HDR from three positions", Chapter::kLuminance,
+                   reproduce_pillars_views},
+      Reproduction{"doronin-fig-3", "Figure 3: estimated luminance along the observers' line",
+                   Chapter::kLuminance, reproduce_estimated_luminance},
+      Reproduction{"doronin-fig-4", "Figure 4: PSNR along the observers' line", Chapter::kLuminance,
+                   reproduce_psnr_along_the_line},
+      Reproduction{"doronin-fig-5", "Figure 5: Sphere, tone mapped with each estimate", Chapter::kLuminance,
+                   reproduce_sphere_mapped},
+      Reproduction{"doronin-fig-6", "Figure 6: Pillars, tone mapped with each estimate", Chapter::kLuminance,
+                   reproduce_pillars_mapped},
+      Reproduction{"doronin-claim-d1", "Claim D-1: luminance by position beats one global value",
+                   Chapter::kLuminance, reproduce_claim_d1},
+      Reproduction{"doronin-claim-d2", "Claim D-2: accumulation follows small moves more strongly",
+                   Chapter::kLuminance, reproduce_claim_d2},
+      Reproduction{"doronin-claim-d3", "Claim D-3: brute force is noticeably better in certain areas only",
+                   Chapter::kLuminance, reproduce_claim_d3},
+      Reproduction{"doronin-claim-d4", "Claim D-4: accumulation in real time, brute force far slower",
+                   Chapter::kLuminance, reproduce_claim_d4},
+      Reproduction{"doronin-claim-d5", "Claim D-5: spread accumulation equals brute force",
+                   Chapter::kLuminance, reproduce_claim_d5},
+      Reproduction{"doronin-claim-d6", "Claim D-6: the display loses detail away from its screen",
+                   Chapter::kLuminance, reproduce_claim_d6},
+      Reproduction{"doronin-claim-d7",
+                   "Claim D-7: All is worst in Sphere, Accumulative slightly better in Pillars",
+                   Chapter::kLuminance, reproduce_claim_d7},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},

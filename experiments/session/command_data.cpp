@@ -14,6 +14,7 @@
 #include "experiments/session/example_study.h"
 #include "experiments/session/export.h"
 #include "experiments/session/session_folders.h"
+#include "experiments/session/sqlite.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -65,9 +66,15 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
   ResultTable table;
   std::vector<std::string> unread;
   OrderCounts orders;
+  int in_use = 0;
   for (const fs::path& folder : session_folders(existing_sessions_folder(options.folder))) {
     try {
-      add_session_rows(table, orders, read_session(folder));
+      const StoredSession stored = read_session(folder);
+      require_own_folder(stored.identity, folder);
+      add_session_rows(table, orders, stored);
+    } catch (const DatabaseInUse&) {
+      ++in_use;
+      tell(options.common, "running: " + folder.filename().string());
     } catch (const InputError& error) {
       unread.push_back(error.what());
     }
@@ -87,6 +94,7 @@ void list_sessions(const Invocation& invocation, const ListOptions& options) {
                {{"mode", which.first}, {"order", which.second}}});
   }
   for (const std::string& line : unread) tell(options.common, "not read: " + line);
+  table.add({"sessions_running", static_cast<double>(in_use), "sessions", {}});
   table.add({"sessions_not_read", static_cast<double>(unread.size()), "sessions", {}});
   write_results(table, provenance, options.common);
 }
@@ -110,7 +118,7 @@ void export_command(const Invocation& invocation, const ExportCommandOptions& op
   const fs::path sessions = existing_sessions_folder(options.folder);
   ExportCounts counts;
   const std::string item = fmt::format("{} --mode {}", item_path(sessions), options.mode);
-  write_result_folder({options.out, "session export", item, options.force}, provenance,
+  write_result_folder({options.out, "session export", item, options.force, true}, provenance,
                       [&](const fs::path& folder) {
                         counts = export_sessions(sessions, mode_named(options.mode), folder, options.choices);
                       });

@@ -2,9 +2,11 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <functional>
 #include <iostream>
 #include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "experiments/cli/checks.h"
@@ -69,10 +71,23 @@ void warn(const std::string& line) {
   fmt::print(stderr, "plenolab: {}\n", line);
 }
 
+/// A word as it is typed into a shell: quoted if it holds anything but letters, digits and what paths are
+/// made of.
+std::string for_shell(const std::string& word) {
+  const bool plain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("/._-+:,@%=").find(static_cast<char>(c)) != std::string_view::npos;
+  });
+  if (plain && !word.empty()) return word;
+  std::string quoted = "'";
+  for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
+}
+
 /// The command that goes on with a session.
 std::string resume_command(const RunOptions& options, const std::string& participant) {
-  return fmt::format("plenolab session resume {} {}{}", options.study, participant,
-                     options.out.empty() ? "" : " -o " + options.out);
+  return fmt::format("plenolab session resume {} {}{}", for_shell(options.study), participant,
+                     options.out.empty() ? "" : " -o " + for_shell(options.out));
 }
 
 /// Makes sure of display and pad before `begin` creates or opens the session: nothing is left by a failed
@@ -84,17 +99,20 @@ SessionState run_on_stage(SdlStage& stage, const StudyDefinition& study, Session
   if (!how.keyboard && equipment.pad.empty())
     throw InputError("no pad is connected: plug one in, or give --keyboard to go on with the keyboard");
   if (!equipment.audio) warn("there is no audio: no tone will be heard");
-  require_displays(stage, study, mode, how.any_timing);
+  const DisplayReport display =
+      require_displays(stage, study, study_folder(options.study), mode, how.any_timing);
   SessionStore store = begin();
   const std::string& who = store.identity().participant;
-  const std::string kept = fmt::format("everything so far is stored in {}; '{}' goes on",
+  const std::string kept = fmt::format("everything so far is stored in {}; to go on: {}",
                                        store.folder().string(), resume_command(options, who));
   say_on_stop(kept);
   fmt::print("session {} ({}) {}\n", who, mode == SessionMode::kPilot ? "PILOT: not data" : "real",
              store.events().empty() ? "begins" : "goes on");
   std::fflush(stdout);
-  RunnerOptions runner{
-      .images = study_folder(options.study), .any_timing = how.any_timing, .keyboard = how.keyboard};
+  RunnerOptions runner{.images = study_folder(options.study),
+                       .any_timing = how.any_timing,
+                       .display = display,
+                       .keyboard = how.keyboard};
   if (how.echo) runner.on_event = print_event;
   const SessionState state = run_session(store, stage, runner);
   if (state == SessionState::kInterrupted)
@@ -144,11 +162,14 @@ void run_new(const RunOptions& options) {
   require_own_consent(study, mode, options.study);
   const fs::path sessions = sessions_folder(options.out, options.study);
   for (const std::string& line : require_same_study(sessions, study, mode)) warn("not read: " + line);
-  const auto begin = [&] {
-    return SessionStore::create(sessions, new_identity(study, mode, next_number(sessions, mode)),
-                                Durability::kPowerCut);
-  };
+  const auto begin = [&] { return create_next_session(sessions, study, mode, Durability::kPowerCut); };
   run_on_screen(study, mode, begin, options);
+}
+
+StoredSession read_own_session(const fs::path& folder) {
+  StoredSession stored = read_session(folder);
+  require_own_folder(stored.identity, folder);
+  return stored;
 }
 
 bool is_interrupted(const StoredSession& stored) {
@@ -164,7 +185,7 @@ std::vector<std::string> interrupted_sessions(const fs::path& sessions) {
   for (const fs::path& folder : session_folders(sessions)) {
     try {
       if (!holds_session(folder)) continue;
-      const StoredSession stored = read_session(folder);
+      const StoredSession stored = read_own_session(folder);
       if (is_interrupted(stored)) names.push_back(stored.identity.participant);
     } catch (const DatabaseInUse&) {
     } catch (const InputError& error) {
@@ -179,7 +200,7 @@ std::string session_to_resume(const ResumeOptions& options, const fs::path& sess
   const auto folders = session_folders(sessions);
   const bool named = !options.participant.empty();
   if (named && std::find(folders.begin(), folders.end(), sessions / options.participant) != folders.end() &&
-      is_interrupted(read_session(sessions / options.participant)))
+      is_interrupted(read_own_session(sessions / options.participant)))
     return options.participant;
   const std::vector<std::string> names = interrupted_sessions(sessions);
   if (named)
@@ -208,13 +229,13 @@ void resume(const ResumeOptions& options) {
   const StudyDefinition study = read_study(options.study);
   const fs::path sessions = sessions_folder(options.out, options.study);
   const fs::path folder = sessions / session_to_resume(options, sessions);
-  const StoredSession stored = read_session(folder);
+  const StoredSession stored = read_own_session(folder);
   require_trying_out(options.stage, stored.identity.mode);
-  require_own_consent(study, stored.identity.mode, options.study);
   const std::string different = difference(stored.identity, study);
   if (!different.empty())
     throw InputError(fmt::format("{} {} than the one of {}: it cannot go on with it", folder.string(),
                                  different, study_file(options.study).string()));
+  require_own_consent(study, stored.identity.mode, options.study);
   if (!options.yes && !agreed_to_resume(stored)) {
     fmt::print("nothing was changed\n");
     return;

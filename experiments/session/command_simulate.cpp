@@ -113,17 +113,21 @@ void simulate(const Invocation& invocation, const SimulateOptions& options) {
   if (!options.wrong_file.empty()) add_input(provenance, options.wrong_file);
   ProgressBar bar("simulate");
   simulation.progress = bar.callback();
+  std::vector<std::string> unread;
+  simulation.on_unread = [&](const std::string& why) { unread.push_back(why); };
   say_on_stop(fmt::format(
       "the simulated sessions so far are kept in {}, and the same command goes on with them", options.out));
   const std::vector<TrialRecord> trials = simulate_study(options.study, options.out, simulation);
   bar.clear();
+  for (const std::string& why : unread) fmt::print(stderr, "plenolab: not read: {}\n", why);
   ResultTable table;
   add_wrong_rows(table, study, trials);
   if (!output_is_for_programs(options.common) && !options.echo)
     fmt::print("{}",
                to_wide_text(table, {"block", "image"}, {{"wrong_choices", "wrong"}, {"trials", "trials"}}));
   write_results(table, provenance, options.common);
-  tell(options.common, fmt::format("{} simulated sessions are in {}", options.participants, options.out));
+  tell(options.common, fmt::format("{} simulated sessions are in {}",
+                                   options.participants - static_cast<int>(unread.size()), options.out));
 }
 
 }  // namespace

@@ -39,9 +39,14 @@ void withdraw(const WithdrawOptions& options) {
       return;
     }
   }
-  withdraw_session(sessions, options.participant);
-  fmt::print("removed session {} and its consent; backups and exports made before still hold it\n",
-             options.participant);
+  const Withdrawal removed = withdraw_session(sessions, options.participant);
+  fmt::print("removed {} {}{}; backups and exports made before still hold it\n",
+             removed.session ? "session" : "the consent of", options.participant,
+             removed.session && removed.consent ? " and its consent"
+             : removed.session                  ? ", which had no consent"
+                                                : "");
+  for (const fs::path& copy : removed.copies)
+    fmt::print("not removed: {} holds a copy of the session\n", copy.string());
 }
 
 }  // namespace

@@ -23,6 +23,11 @@ struct ConsentRecord {
 bool consent_exists(const std::filesystem::path& sessions, const SessionIdentity& identity,
                     const ConsentText& asked);
 
+/// Throws InputError unless the consent of a session whose participant has consented is still there,
+/// readable, and for this session and text.
+void require_consent(const std::filesystem::path& sessions, const SessionIdentity& identity,
+                     const ConsentText& asked);
+
 /// Stores a consent, as durable when it returns as asked. Throws InputError if there is one or the folder
 /// cannot be written.
 void store_consent(const std::filesystem::path& sessions, const ConsentRecord& consent,

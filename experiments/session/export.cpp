@@ -64,14 +64,11 @@ class Collector {
       throw InputError(
           fmt::format("{}; nothing is exported (--leave-out-damaged goes on without it)", error.what()));
     }
-    const SessionIdentity& identity = session.stored.identity;
-    if (identity.participant != name || identity.mode != mode_)
-      throw InputError(fmt::format(
-          "{} holds the {} session {}: a copy or a folder that was renamed, so nothing is exported",
-          folder.string(), name_of(identity.mode), identity.participant));
+    require_own_folder(session.stored.identity, folder);
     const SessionState state = session.summary.state;
     if (state == SessionState::kDeclined || state == SessionState::kExcluded)
       return leave_out(name, name_of(state));
+    if (!session.summary.consented) return leave_out(name, "no consent");
     collected.push_back(std::move(session));
   }
 

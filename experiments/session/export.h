@@ -23,7 +23,8 @@ struct ExportOptions {
 /// A session that gives no rows.
 struct LeftOutSession {
   std::string session;  ///< its pseudonym, or the name of its folder
-  std::string reason;   ///< "declined", "excluded", "in use", "damaged", "cut off while it was created"
+  std::string
+      reason;  ///< "declined", "excluded", "no consent", "in use", "damaged", "cut off while it was created"
 };
 
 /// What an export came to.
@@ -40,9 +41,10 @@ struct ExportCounts {
 ///   each participant sub-X/beh/sub-X_task-matching_run-N_beh.tsv and …_events.tsv (N: position of the
 ///   block), with JSON sidecars; .bidsignore names what is not BIDS.
 /// Consent files are not read. Sessions of people and pilots are never put together: `mode` chooses. Declined
-/// and excluded sessions give no rows; sessions in use are left out. Throws InputError if a session is
-/// damaged (unless the options say otherwise), a folder was copied or renamed, sessions ran different
-/// studies, or nothing is left to export.
+/// and excluded sessions give no rows, nor do those that ended before consent was given, with what was
+/// answered before; sessions in use are left out. Throws InputError if a session is damaged (unless the
+/// options say otherwise), a folder was copied or renamed, sessions ran different studies, or nothing is left
+/// to export.
 ExportCounts export_sessions(const std::filesystem::path& sessions, SessionMode mode,
                              const std::filesystem::path& out, const ExportOptions& options = {});
 

@@ -7,8 +7,10 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -16,6 +18,8 @@ namespace plenolab {
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr const char* kPartial = ".partial";
 
 void sync(int descriptor, const fs::path& path) {
   if (::fsync(descriptor) != 0)
@@ -58,10 +62,10 @@ void create_private_file(const fs::path& file, const std::string& text, Durabili
   };
   errno = EEXIST;
   if (fs::exists(file)) throw failed();
-  // What a cut-off attempt left under this name was never acknowledged.
-  const std::string partial = file.string() + ".partial";
-  const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW | O_CLOEXEC, 0600);
+  std::string partial = file.string() + ".XXXXXX" + kPartial;
+  const int descriptor = ::mkostemps(partial.data(), static_cast<int>(std::strlen(kPartial)), O_CLOEXEC);
   if (descriptor < 0) throw failed();
+  const std::shared_ptr<void> unlinker(nullptr, [&](void*) { ::unlink(partial.c_str()); });
   const std::shared_ptr<void> closer(nullptr, [descriptor](void*) { ::close(descriptor); });
   for (std::size_t written = 0; written < text.size();) {
     const ssize_t count = ::write(descriptor, text.data() + written, text.size() - written);
@@ -71,6 +75,18 @@ void create_private_file(const fs::path& file, const std::string& text, Durabili
   if (durability == Durability::kPowerCut) sync(descriptor, file);
   if (!rename_to_free_name(partial, file)) throw failed();
   if (durability == Durability::kPowerCut) sync_folder(file.parent_path());
+}
+
+bool is_partial_of(const fs::path& file, const fs::path& candidate) {
+  const std::string name = candidate.filename().string();
+  return name.starts_with(file.filename().string() + ".") && name.ends_with(kPartial);
+}
+
+void remove_partial_files(const fs::path& file) {
+  std::vector<fs::path> partial;
+  for (const auto& entry : fs::directory_iterator(file.has_parent_path() ? file.parent_path() : "."))
+    if (is_partial_of(file, entry.path())) partial.push_back(entry.path());
+  for (const fs::path& path : partial) fs::remove(path);
 }
 
 }  // namespace plenolab

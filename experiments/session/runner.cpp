@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "experiments/session/consent.h"
 #include "experiments/session/plan.h"
@@ -39,6 +40,18 @@ void require_timing(const DisplayReport& display, SessionMode mode, bool any_tim
                     display.screen, display.name, fault));
 }
 
+/// Every picture that a block can show.
+std::vector<Picture> pictures_of(const StudyDefinition& study, const std::filesystem::path& images,
+                                 const StudyBlock& block) {
+  std::vector<Picture> pictures;
+  for (const std::string& id : block.images) {
+    const StimulusFiles& files = study.image(id).on(block.display);
+    for (const std::string& file : {files.reference, files.test})
+      pictures.push_back({.kind = Picture::Kind::kImage, .file = images / file, .zoom = block.zoom});
+  }
+  return pictures;
+}
+
 class Session {
  public:
   Session(SessionStore& store, Stage& stage, const RunnerOptions& options)
@@ -60,6 +73,7 @@ class Session {
   SessionState run() {
     if (so_far_.state != SessionState::kInterrupted) return so_far_.state;
     store_.require_space();
+    tell_time();
     recorder_.write("run_started", name_of(store_.identity().mode), so_far_.runs > 0 ? "resumed" : "new",
                     circumstances());
     try {
@@ -70,6 +84,9 @@ class Session {
   }
 
  private:
+  /// Times the next event, which no flip or input brings.
+  void tell_time() { recorder_.at(stage_.now_us(), stage_.now_us()); }
+
   /// What cannot be known later about this run, as JSON.
   std::string circumstances() {
     const StageEquipment equipment = stage_.equipment();
@@ -109,17 +126,17 @@ class Session {
   bool consent() {
     const SessionIdentity& who = store_.identity();
     const std::filesystem::path sessions = store_.folder().parent_path();
-    if (so_far_.consented) return true;
+    if (so_far_.consented) return require_consent(sessions, who, study_.consent), true;
     if (!consent_exists(sessions, who, study_.consent)) {
       const bool minor = answers_minor(study_.consent, answer(adult_question(study_.consent)));
       ConsentRecord record{.participant = who.participant,
                            .session_created_utc = who.created_utc,
-                           .given_utc = utc_now(),
                            .text = study_.consent.text};
       if (!agrees("consent", "participant", record.text, record.name)) return declined();
       if (minor) record.guardian_text = study_.consent.guardian_text;
       if (minor && !agrees("guardian_consent", "guardian", record.guardian_text, record.guardian_name))
         return declined();
+      record.given_utc = utc_now();
       store_consent(sessions, record, store_.durability());
     }
     recorder_.write("consent", "", "given");
@@ -155,8 +172,10 @@ class Session {
 
   void open(int screen) {
     if (screen == display_.screen && opened_) return;
-    display_ = stage_.open_display(screen);
+    const bool is_open = !opened_ && options_.display && options_.display->screen == screen;
+    display_ = is_open ? *options_.display : stage_.open_display(screen);
     opened_ = true;
+    tell_time();
     recorder_.write(
         "display", display_.name, display_.vsync ? "vsync" : "no_vsync",
         fmt::format(
@@ -190,12 +209,26 @@ class Session {
     recorder_.go_to({});
   }
 
+  /// Images are read when their block begins, and must be those the session was created with.
+  void require_unchanged(const StimulusFiles& files) const {
+    for (const std::string& file : {files.reference, files.test}) {
+      const auto before = study_.image_hashes.find(file);
+      if (before != study_.image_hashes.end() && hash_file(options_.images / file) != before->second)
+        throw InputError(
+            fmt::format("the image {} has changed since session {} began: put back the one it began "
+                        "with, then resume the session",
+                        (options_.images / file).string(), store_.identity().participant));
+    }
+  }
+
   void load(const PlannedBlock& planned, const StudyBlock& block) {
     std::vector<Picture> pictures;
     for (const PlannedTrial& trial : planned.trials) {
       const TrialScene scene = trial_scene(study_, options_.images, block, trial);
       pictures.insert(pictures.end(), {scene.left, scene.right});
     }
+    for (const PlannedTrial& trial : planned.trials)
+      require_unchanged(study_.image(trial.image).on(block.display));
     stage_.load(pictures);
   }
 
@@ -229,12 +262,20 @@ class Session {
 
 }  // namespace
 
-void require_displays(Stage& stage, const StudyDefinition& study, SessionMode mode, bool any_timing) {
+DisplayReport require_displays(Stage& stage, const StudyDefinition& study,
+                               const std::filesystem::path& images, SessionMode mode, bool any_timing) {
   std::set<int> screens;
   for (const StudyBlock& block : study.blocks) screens.insert(block.screen);
   screens.erase(study.text_screen);
-  for (const int screen : screens) require_timing(stage.open_display(screen), mode, any_timing);
-  require_timing(stage.open_display(study.text_screen), mode, any_timing);  // last: the session begins on it
+  const auto require = [&](int screen) {
+    const DisplayReport display = stage.open_display(screen);
+    require_timing(display, mode, any_timing);
+    for (const StudyBlock& block : study.blocks)
+      if (block.screen == screen) stage.load(pictures_of(study, images, block));
+    return display;
+  };
+  for (const int screen : screens) require(screen);
+  return require(study.text_screen);  // last: the session begins on it
 }
 
 SessionState run_session(SessionStore& store, Stage& stage, const RunnerOptions& options) {

@@ -23,6 +23,20 @@ SessionIdentity new_identity(const StudyDefinition& study, SessionMode mode, int
                                  build.dirty ? " (changed)" : "")};
 }
 
+SessionStore create_next_session(const fs::path& sessions, const StudyDefinition& study, SessionMode mode,
+                                 Durability durability) {
+  constexpr int kStations = 1000;  // more do not start at once
+  for (int attempt = 0; attempt < kStations; ++attempt) {
+    const int number = next_number(sessions, mode);
+    try {
+      return SessionStore::create(sessions, new_identity(study, mode, number), durability,
+                                  SessionStore::CutOff::kRefuse);
+    } catch (const SessionExists&) {  // another station was faster
+    }
+  }
+  throw InputError(fmt::format("{} has no pseudonym left that is free", sessions.string()));
+}
+
 std::string difference(const SessionIdentity& identity, const StudyDefinition& study) {
   if (identity.study_hash == study_hash(study)) return "";
   if (identity.study_json != format_study(study)) return "ran another version of the study";
@@ -48,7 +62,11 @@ std::vector<std::string> require_same_study(const fs::path& sessions, const Stud
     if (!name.starts_with(name_of(mode))) continue;  // pilots of earlier versions harm nobody
     std::string different;
     try {
-      if (holds_session(folder)) different = difference(read_session(folder).identity, study);
+      if (holds_session(folder)) {
+        const SessionIdentity identity = read_session(folder).identity;
+        require_own_folder(identity, folder);
+        different = difference(identity, study);
+      }
     } catch (const DatabaseInUse&) {
     } catch (const InputError& error) {
       unread.push_back(error.what());

@@ -24,7 +24,19 @@ constexpr double kTone_hz = 440, kTone_s = 0.15;
   throw InputError(fmt::format("{}: {}", what, SDL_GetError()));
 }
 
+/// glFinish of the renderer's OpenGL context; null if it has none.
+auto find_gl_finish(SDL_Renderer* renderer) -> void (*)() {
+  SDL_RendererInfo info;
+  if (SDL_GetRendererInfo(renderer, &info) != 0 || !std::string(info.name).starts_with("opengl"))
+    return nullptr;
+  return reinterpret_cast<void (*)()>(SDL_GL_GetProcAddress("glFinish"));
+}
+
 }  // namespace
+
+bool waits_for_display(const std::string& renderer, int swap_interval) {
+  return renderer.starts_with("opengl") && swap_interval == 1;
+}
 
 SdlStage::SdlStage(Options options)
     : options_(std::move(options)), start_ticks_(SDL_GetPerformanceCounter()) {
@@ -119,6 +131,7 @@ DisplayReport SdlStage::open_display(int screen) {
   SDL_DisplayMode mode;
   if (SDL_GetCurrentDisplayMode(screen, &mode) == 0) report.refresh_hz = mode.refresh_rate;
   report.vsync = flips_wait();
+  finish_gl_ = find_gl_finish(renderer_.get());
   picture_ = {};
   measure_interval(report);
   require_on_screen(screen);
@@ -134,7 +147,15 @@ DisplayReport SdlStage::open_display(int screen) {
 bool SdlStage::flips_wait() const {
   SDL_RendererInfo info;
   if (SDL_GetRendererInfo(renderer_.get(), &info) != 0) return false;
-  return std::string(info.name).starts_with("opengl") && SDL_GL_GetSwapInterval() != 0;
+  return waits_for_display(info.name, SDL_GL_GetSwapInterval());
+}
+
+/// Shows what was drawn; the time when it was done. Without waiting for OpenGL that would be when the frame
+/// was queued, up to some frames before it is shown.
+std::int64_t SdlStage::present() {
+  SDL_RenderPresent(renderer_.get());
+  if (finish_gl_) finish_gl_();
+  return now_us();
 }
 
 void SdlStage::measure_interval(DisplayReport& report) {
@@ -143,9 +164,8 @@ void SdlStage::measure_interval(DisplayReport& report) {
   for (int i = 0; i < kWarmUpFlips + kMeasuredFlips; ++i) {
     SDL_SetRenderDrawColor(renderer_.get(), 0, 0, 0, 255);
     SDL_RenderClear(renderer_.get());
-    SDL_RenderPresent(renderer_.get());
+    const std::int64_t t_us = present();
     SDL_PumpEvents();
-    const std::int64_t t_us = now_us();
     if (i >= kWarmUpFlips) intervals.push_back(static_cast<double>(t_us - last_us) * 1e-3);
     last_us = t_us;
   }
@@ -256,8 +276,7 @@ std::int64_t SdlStage::flip() {
     for (RawInput& input : poll()) waiting_.push_back(std::move(input));
   }
   compose();
-  SDL_RenderPresent(renderer_.get());
-  return last_flip_us_ = now_us();
+  return last_flip_us_ = present();
 }
 
 std::vector<RawInput> SdlStage::poll() {

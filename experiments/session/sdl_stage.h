@@ -18,9 +18,14 @@ namespace plenolab {
 ///   - One window on one display at a time; after it is up, the display it is really on is compared with the
 ///     one asked for, and a mismatch refused.
 ///   - Whether flips wait for the display is asked of the OpenGL driver (other renderers only pretend), and
-///     measured.
+///     measured. A flip is timed when the driver has nothing left to do, not when it has been queued; what
+///     the display itself adds to that is unknown here.
 ///   - Inputs are polled every millisecond until shortly before the next flip.
 /// Text is DejaVu Sans, in the central region of the display.
+/// Whether flips of a renderer wait for the display, by its name and the driver's swap interval. 0 does not
+/// wait, and −1 does not when a frame is late: it then tears.
+bool waits_for_display(const std::string& renderer, int swap_interval);
+
 class SdlStage final : public Stage {
  public:
   struct Options {
@@ -35,6 +40,7 @@ class SdlStage final : public Stage {
   void load(const std::vector<Picture>& pictures) override;
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
+  std::int64_t now_us() const override;
   std::vector<RawInput> poll() override;
   StageEquipment equipment() override;
   bool tone() override;
@@ -52,9 +58,9 @@ class SdlStage final : public Stage {
   };
   using Texture = std::unique_ptr<SDL_Texture, DestroyTexture>;
 
-  std::int64_t now_us() const;
   void require_on_screen(int screen) const;
   bool flips_wait() const;
+  std::int64_t present();
   void measure_interval(DisplayReport& report);
   void compose();
   void draw_image(const Picture& picture);
@@ -78,6 +84,7 @@ class SdlStage final : public Stage {
   SdlInput input_;
   std::vector<RawInput> waiting_;
   Picture picture_;
+  void (*finish_gl_)() = nullptr;  // glFinish; null where the renderer is not OpenGL
   int width_px_ = 0, height_px_ = 0, pictures_drawn_ = 0;
   double interval_ms_ = 1000.0 / 60;
   std::int64_t last_flip_us_ = 0, last_poll_us_ = 0;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 
 #include "core/base/error.h"
 #include "experiments/session/sqlite.h"
@@ -14,6 +15,58 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kWithdrawnFolder = "withdrawn";
+
+/// What a link points to would stay where it is.
+void require_no_links(const fs::path& folder, const fs::path& consent) {
+  const auto refuse_link = [](const fs::path& path) {
+    if (fs::is_symlink(path))
+      throw InputError(
+          fmt::format("{} is a link, and what it points to would stay: remove that by hand first, "
+                      "then the link",
+                      path.string()));
+  };
+  refuse_link(consent.parent_path());
+  refuse_link(consent);
+  refuse_link(folder);
+  if (!fs::is_directory(folder)) return;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) refuse_link(entry.path());
+}
+
+/// Throws DatabaseInUse if the session is running.
+void require_idle(const fs::path& folder) {
+  if (!fs::is_regular_file(folder / kDatabaseFile)) return;
+  try {
+    SqliteDatabase database(folder / kDatabaseFile, SqliteDatabase::Access::kReadWrite);
+    database.execute("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT");
+  } catch (const DatabaseInUse&) {
+    throw;
+  } catch (const InputError&) {  // who withdraws is removed even if the file is damaged
+  }
+}
+
+/// Nobody is removed in place of another: a folder that can be read holds the participant it is named after.
+void require_of_participant(const fs::path& folder) {
+  std::optional<SessionIdentity> identity;
+  try {
+    identity = read_session(folder).identity;
+  } catch (const DatabaseInUse&) {
+    throw;
+  } catch (const InputError&) {  // damaged, cut off, or its consent alone is left
+  }
+  if (identity) require_own_folder(*identity, folder);
+}
+
+/// Folders of other names that hold this participant's session.
+std::vector<fs::path> copies_of(const fs::path& sessions, const std::string& participant) {
+  std::vector<fs::path> copies;
+  for (const fs::path& folder : session_folders(sessions)) {
+    try {
+      if (read_session(folder).identity.participant == participant) copies.push_back(folder);
+    } catch (const InputError&) {  // nothing is known of it
+    }
+  }
+  return copies;
+}
 
 }  // namespace
 
@@ -54,34 +107,42 @@ bool is_withdrawn(const fs::path& sessions, const std::string& participant) {
   return fs::exists(sessions / kWithdrawnFolder / participant);
 }
 
+fs::path consent_file(const fs::path& sessions, const std::string& participant) {
+  return sessions / "consent" / (participant + ".json");
+}
+
 bool holds_participant(const fs::path& sessions, const std::string& participant) {
   const bool pseudonym = participant.find('/') == std::string::npos &&
                          (participant.starts_with("real-") || participant.starts_with("pilot-") ||
                           participant.starts_with("simulated-"));
-  return pseudonym && (fs::is_directory(sessions / participant) ||
-                       fs::exists(sessions / "consent" / (participant + ".json")));
+  return pseudonym &&
+         (fs::is_directory(sessions / participant) || fs::exists(consent_file(sessions, participant)));
 }
 
-void withdraw_session(const fs::path& sessions, const std::string& participant) {
-  const fs::path folder = sessions / participant, consent = sessions / "consent";
+Withdrawal withdraw_session(const fs::path& sessions, const std::string& participant) {
+  const fs::path folder = sessions / participant, consent = consent_file(sessions, participant);
   if (!holds_participant(sessions, participant))
     throw InputError(fmt::format("{} holds no session '{}'", sessions.string(), participant));
-  if (fs::is_regular_file(folder / kDatabaseFile)) {
-    try {
-      SqliteDatabase database(folder / kDatabaseFile, SqliteDatabase::Access::kReadWrite);
-      database.execute("PRAGMA locking_mode=EXCLUSIVE; BEGIN IMMEDIATE; COMMIT");
-    } catch (const DatabaseInUse&) {
-      throw;
-    } catch (const InputError&) {  // who withdraws is removed even if the file is damaged
-    }
-  }
+  require_no_links(folder, consent);
+  require_idle(folder);
+  require_of_participant(folder);
   create_private_folder(sessions / kWithdrawnFolder);
   if (!is_withdrawn(sessions, participant))
     create_private_file(sessions / kWithdrawnFolder / participant, utc_now() + "\n", Durability::kPowerCut);
-  for (const char* suffix : {".json", ".json.partial"}) fs::remove(consent / (participant + suffix));
-  if (fs::is_directory(consent)) sync_folder(consent);
-  fs::remove_all(folder);
+  Withdrawal removed;
+  try {
+    if (fs::is_directory(consent.parent_path())) {
+      remove_partial_files(consent);
+      removed.consent = fs::remove(consent);
+      sync_folder(consent.parent_path());
+    }
+    removed.session = fs::remove_all(folder) > 0;
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("{} is not removed wholly: {}", participant, error.what()));
+  }
   sync_folder(sessions);
+  removed.copies = copies_of(sessions, participant);
+  return removed;
 }
 
 }  // namespace plenolab

@@ -8,7 +8,9 @@
 #include "core/base/file.h"
 #include "experiments/session/runner.h"
 #include "experiments/session/same_study.h"
+#include "experiments/session/session_folders.h"
 #include "experiments/session/simulated_stage.h"
+#include "experiments/session/sqlite.h"
 #include "experiments/session/study_files.h"
 
 namespace plenolab {
@@ -22,6 +24,21 @@ SessionStore open_or_create(const fs::path& sessions, const StudyDefinition& stu
   const fs::path folder = sessions / identity.participant;
   return holds_session(folder) ? SessionStore::open(folder, durability)
                                : SessionStore::create(sessions, identity, durability);
+}
+
+/// Why a session that is there cannot be gone on with; empty if it can, or there is none.
+std::string fault_of(const fs::path& folder) {
+  try {
+    if (!holds_session(folder)) return "";
+    const StoredSession stored = read_session(folder);
+    require_own_folder(stored.identity, folder);
+    summarise(stored.identity, study_of(stored.identity), stored.events);
+  } catch (const DatabaseInUse&) {
+    throw;
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
 }
 
 constexpr const char* kRecordFile = "simulation.json";
@@ -48,7 +65,7 @@ nlohmann::ordered_json record_of(const ObserverOptions& observer) {
 
 bool holds_only_a_torn_record(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().filename() != std::string(kRecordFile) + ".partial") return false;
+    if (!is_partial_of(folder / kRecordFile, entry.path())) return false;
   return true;
 }
 
@@ -76,11 +93,20 @@ void require_same_options(const fs::path& sessions, const ObserverOptions& obser
 std::vector<TrialRecord> simulate_study(const fs::path& study_path, const fs::path& sessions,
                                         const SimulationOptions& options) {
   const StudyDefinition study = read_study(study_path);
+  if (fs::weakly_canonical(sessions) == fs::weakly_canonical(study_folder(study_path) / "sessions"))
+    throw InputError(
+        fmt::format("{} is where the sessions of people go: give another folder (-o)", sessions.string()));
   if (fs::is_directory(sessions)) require_same_study(sessions, study, SessionMode::kSimulated);
   require_same_options(sessions, options.observer, options.durability);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);
   std::vector<TrialRecord> records;
   for (int number = 1; number <= options.participants; ++number) {
+    const std::string fault = fault_of(sessions / pseudonym(SessionMode::kSimulated, number));
+    if (!fault.empty() && !options.on_unread) throw InputError(fault);
+    if (!fault.empty()) {
+      options.on_unread(fault);
+      continue;
+    }
     SessionStore store = open_or_create(sessions, study, number, options.durability);
     ObserverOptions observer = options.observer;
     observer.number = number;

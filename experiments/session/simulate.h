@@ -17,6 +17,9 @@ struct SimulationOptions {
   Durability durability = Durability::kProcessEnd;
   std::function<void(const SessionEvent&)> on_event;  ///< called once an event is stored; may be empty
   std::function<void(double)> progress;               ///< share of participants done; may be empty
+  /// Told why a session that is there cannot be read; it stays as it is, without rows. If empty, that is
+  /// thrown.
+  std::function<void(const std::string&)> on_unread;
 };
 
 /// Runs simulated participants 1 … n through the whole session: consent, questions, trials, questionnaire, by

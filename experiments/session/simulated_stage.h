@@ -18,6 +18,7 @@ class SimulatedStage final : public Stage {
   void load(const std::vector<Picture>& pictures) override;
   void draw(const Picture& picture) override;
   std::int64_t flip() override;
+  std::int64_t now_us() const override { return now_us_; }
   std::vector<RawInput> poll() override;
   StageEquipment equipment() override { return {pad_.plugged() ? "virtual pad" : "", false}; }
   bool tone() override { return ++tones_, false; }
@@ -25,7 +26,6 @@ class SimulatedStage final : public Stage {
 
   int tones() const { return tones_; }
   int rumbles() const { return pad_.rumbles(); }
-  std::int64_t now_us() const { return now_us_; }
 
  private:
   void perform(const PadAction& action);

@@ -59,6 +59,8 @@ class Stage {
   virtual void draw(const Picture& picture) = 0;
   /// Shows the next frame; the time at which it was shown.
   virtual std::int64_t flip() = 0;
+  /// The time, on the clock of flips and inputs.
+  virtual std::int64_t now_us() const = 0;
   /// Inputs since the last call, in order.
   virtual std::vector<RawInput> poll() = 0;
   virtual StageEquipment equipment() = 0;

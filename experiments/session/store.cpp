@@ -25,6 +25,7 @@ namespace {
 
 constexpr const char* kFormat = "plenolab-session";
 constexpr const char* kVersion = "1";
+constexpr const char* kLogSuffix = "-wal";  // SQLite's, beside a database that is open or was not closed
 
 constexpr const char* kSchema = R"sql(
 CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT NOT NULL) WITHOUT ROWID;
@@ -83,8 +84,7 @@ bool has_no_tables(SqliteDatabase& database) {
 
 SessionIdentity read_identity(SqliteDatabase& database, const fs::path& file) {
   if (has_no_tables(database))
-    throw InputError(fmt::format(
-        "{} was cut off while it was created and holds nothing: its folder can be removed", file.string()));
+    throw InputError(fmt::format("{} holds nothing: it was cut off while it was created", file.string()));
   const auto meta = [&](const std::string& key) {
     SqliteStatement statement = database.prepare("SELECT value FROM meta WHERE key = ?");
     statement.bind(1, key);
@@ -134,8 +134,17 @@ void while_briefly_in_use(const std::function<void()>& action) {
   action();
 }
 
+/// SQLite takes an empty file for a new database, and removes the log beside it, with all that is in there.
+void require_with_its_log(const fs::path& database) {
+  const fs::path log = database.string() + kLogSuffix;
+  if (fs::file_size(database) == 0 && fs::exists(log) && fs::file_size(log) > 0)
+    throw InputError(
+        fmt::format("{} is empty, although {} is not: it is damaged; bring back the one the log belongs to",
+                    database.string(), log.string()));
+}
+
 void require_private(const fs::path& database) {
-  for (const char* suffix : {"", "-wal"}) {
+  for (const char* suffix : {"", kLogSuffix}) {
     const std::string file = database.string() + suffix;
     if (fs::exists(file)) ::chmod(file.c_str(), 0600);
   }
@@ -169,16 +178,18 @@ SessionStore::SessionStore(fs::path folder, Durability durability)
 }
 
 SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentity& identity,
-                                  Durability durability) {
+                                  Durability durability, CutOff cut_off) {
   create_private_folder(sessions);
   const fs::path folder = sessions / identity.participant;
   if (is_withdrawn(sessions, identity.participant))
     throw InputError(fmt::format("{} was withdrawn: its pseudonym is not given again", identity.participant));
-  if (::mkdir(folder.c_str(), 0700) != 0 && errno != EEXIST)
+  // Of two programs that want the same pseudonym one makes the folder.
+  const bool made = ::mkdir(folder.c_str(), 0700) == 0;
+  if (!made && errno != EEXIST)
     throw InputError(fmt::format("cannot create {}: {}", folder.string(), std::strerror(errno)));
+  if (!made && (cut_off == CutOff::kRefuse || holds_session(folder)))
+    throw SessionExists(fmt::format("{} exists: a session is never overwritten", folder.string()));
   if (!fs::exists(folder / kDatabaseFile)) create_private_file(folder / kDatabaseFile, "", durability);
-  if (holds_session(folder))
-    throw InputError(fmt::format("{} exists: a session is never overwritten", folder.string()));
   SessionStore store(folder, durability);
   write_identity(store.connection_->database, identity);
   if (durability == Durability::kPowerCut) sync_folder(sessions);
@@ -189,8 +200,10 @@ SessionStore SessionStore::create(const fs::path& sessions, const SessionIdentit
 SessionStore SessionStore::open(const fs::path& folder, Durability durability) {
   if (!fs::is_regular_file(folder / kDatabaseFile))
     throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
+  require_with_its_log(folder / kDatabaseFile);
   SessionStore store(folder, durability);
   store.identity_ = read_identity(store.connection_->database, folder / kDatabaseFile);
+  require_own_folder(store.identity_, folder);
   return store;
 }
 
@@ -235,18 +248,34 @@ void SessionStore::require_space(std::uintmax_t mib) const {
 bool holds_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file)) return false;
+  require_with_its_log(file);
   bool holds = false;
   while_briefly_in_use([&] {
     SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);
     holds = !has_no_tables(database);
   });
+  const fs::path consent = consent_file(folder.parent_path(), folder.filename().string());
+  if (!holds && fs::exists(consent))
+    throw InputError(fmt::format(
+        "{} holds nothing, although {} shows that the session had begun: bring its log {}{} back, "
+        "without which a copy of it is not whole",
+        file.string(), consent.string(), kDatabaseFile, kLogSuffix));
   return holds;
+}
+
+void require_own_folder(const SessionIdentity& identity, const fs::path& folder) {
+  const std::string name = folder.filename().string();
+  if (name != identity.participant || name != pseudonym(identity.mode, identity.number))
+    throw InputError(
+        fmt::format("{} holds the {} session {} (number {}): a copy, or a folder that was renamed",
+                    folder.string(), name_of(identity.mode), identity.participant, identity.number));
 }
 
 StoredSession read_session(const fs::path& folder) {
   const fs::path file = folder / kDatabaseFile;
   if (!fs::is_regular_file(file))
     throw InputError(fmt::format("{} is no session: it has no {}", folder.string(), kDatabaseFile));
+  require_with_its_log(file);
   StoredSession session;
   while_briefly_in_use([&] {
     SqliteDatabase database(file, SqliteDatabase::Access::kUnchanged);

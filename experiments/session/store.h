@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.h"
 #include "experiments/session/private_files.h"
 #include "experiments/session/study.h"
 
@@ -58,16 +59,25 @@ struct SessionEvent {
   std::string detail;  ///< JSON or text; may be empty
 };
 
+/// There is a session, or the beginning of one, under this pseudonym already.
+class SessionExists : public InputError {
+ public:
+  using InputError::InputError;
+};
+
 /// The database of a session, in its folder.
 inline constexpr const char* kDatabaseFile = "session.db";
 
 class SessionStore {
  public:
-  /// Creates SESSIONS/participant with its database. Throws InputError if it holds a session (nothing is ever
-  /// overwritten), or the folder cannot be written. A creation that was cut off is completed.
+  enum class CutOff { kComplete, kRefuse };
+  /// Creates SESSIONS/participant with its database. Throws SessionExists if it holds a session (nothing is
+  /// ever overwritten), InputError if the folder cannot be written. A folder whose creation was cut off is
+  /// completed, or refused with SessionExists: another station may be about to complete it.
   static SessionStore create(const std::filesystem::path& sessions, const SessionIdentity& identity,
-                             Durability durability);
-  /// Opens one to go on. Throws InputError if it is damaged, not a session, or in use by another program.
+                             Durability durability, CutOff cut_off = CutOff::kComplete);
+  /// Opens one to go on. Throws InputError if it is damaged, not a session, not in the folder it was created
+  /// in (require_own_folder), or in use by another program.
   static SessionStore open(const std::filesystem::path& folder, Durability durability);
 
   const SessionIdentity& identity() const { return identity_; }
@@ -92,7 +102,12 @@ class SessionStore {
 };
 
 /// Whether a folder holds a session; false also if its creation was cut off before anything happened in it.
+/// Throws InputError if a log or a consent shows that something had happened, which is not there.
 bool holds_session(const std::filesystem::path& folder);
+
+/// Throws InputError unless the session is the one that its folder is named after: copies and renamed folders
+/// would be taken for other participants.
+void require_own_folder(const SessionIdentity& identity, const std::filesystem::path& folder);
 
 /// A stored session as it was when it was read.
 struct StoredSession {

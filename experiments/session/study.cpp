@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -304,8 +305,11 @@ std::string study_hash(const StudyDefinition& study) {
 }
 
 bool is_placeholder(const ConsentText& consent) {
-  return consent.text.find("PLACEHOLDER") != std::string::npos ||
-         consent.guardian_text.find("PLACEHOLDER") != std::string::npos;
+  const auto holds = [](std::string text) {
+    std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return text.find("placeholder") != std::string::npos;
+  };
+  return holds(consent.text) || holds(consent.guardian_text);
 }
 
 }  // namespace plenolab

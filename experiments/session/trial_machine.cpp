@@ -1,5 +1,6 @@
 #include "experiments/session/trial_machine.h"
 
+#include <algorithm>
 #include <array>
 
 namespace plenolab {
@@ -37,10 +38,14 @@ TrialReaction TrialMachine::flipped(std::int64_t t_us) {
   if (paused_ || done()) return reaction;
   if (!on_since_us_) {
     on_since_us_ = t_us;
+    end_pause(t_us);
     if (began_at_us_ < 0) began_at_us_ = t_us;
     const std::int64_t black_us = on_ == Stimulus::kBlack ? 0 : t_us - black_since_us_;
-    reaction.onset = Onset{on_, t_us, black_us};
-    if (on_ == Stimulus::kBlack) black_since_us_ = t_us;
+    reaction.onset = Onset{on_, t_us, black_us, again_ && on_ != Stimulus::kBlack};
+    if (on_ == Stimulus::kBlack)
+      black_since_us_ = t_us;
+    else
+      again_ = false;
     seen_left_ = seen_left_ || on_ == Stimulus::kLeft;
     seen_right_ = seen_right_ || on_ == Stimulus::kRight;
     seen_comparison_ = seen_left_ || seen_right_;
@@ -100,18 +105,32 @@ void TrialMachine::go_black() {
   on_since_us_.reset();
 }
 
+/// How much has gone by of the blank before an image that is to come; 0 if none is to come.
+std::int64_t TrialMachine::blank_so_far_us(std::int64_t t_us) const {
+  const bool image_comes =
+      on_ == Stimulus::kBlack ? on_since_us_ && next_ != Stimulus::kBlack : !on_since_us_;
+  return image_comes ? std::min(t_us - black_since_us_, options_.blank_us) : 0;
+}
+
 TrialReaction TrialMachine::pause(std::int64_t t_us) {
-  if (!paused_) paused_at_us_ = t_us;
+  if (!pause_began_us_) pause_began_us_ = t_us - blank_so_far_us(t_us);
   paused_ = true;
+  again_ = again_ || (on_ != Stimulus::kBlack && on_since_us_);
   if (next_ == Stimulus::kBlack) next_ = on_;
   go_black();
   return {.show = Stimulus::kBlack};
 }
 
-TrialReaction TrialMachine::resume(std::int64_t t_us) {
-  if (paused_ && began_at_us_ >= 0) paused_us_ += t_us - paused_at_us_;
+TrialReaction TrialMachine::resume() {
   paused_ = false;
   return {.show = Stimulus::kBlack};
+}
+
+/// At a flip after a pause that shows something new: an image that was on has to be there again.
+void TrialMachine::end_pause(std::int64_t t_us) {
+  if (!pause_began_us_ || (again_ && on_ == Stimulus::kBlack)) return;
+  if (began_at_us_ >= 0) paused_us_ += t_us - *pause_began_us_;
+  pause_began_us_.reset();
 }
 
 }  // namespace plenolab

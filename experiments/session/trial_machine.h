@@ -41,6 +41,7 @@ struct Onset {
   Stimulus stimulus = Stimulus::kBlack;
   std::int64_t since_us = 0;         ///< the first flip that had it
   std::int64_t black_before_us = 0;  ///< how long it was black before
+  bool again = false;                ///< it was on when a pause came and returns: no new view
 };
 
 /// What the machine asks of its owner after an input.
@@ -73,7 +74,7 @@ class TrialMachine {
   TrialReaction pressed(Press press, std::int64_t t_us);
   /// Pause (pad unplugged, experimenter): black until resumed; then what was on returns after a blank.
   TrialReaction pause(std::int64_t t_us);
-  TrialReaction resume(std::int64_t t_us);
+  TrialReaction resume();
 
   bool done() const { return choice_.has_value(); }
   bool paused() const { return paused_; }
@@ -82,20 +83,26 @@ class TrialMachine {
   std::int64_t chosen_at_us() const { return chosen_at_us_; }
   /// The first flip of the trial.
   std::int64_t began_at_us() const { return began_at_us_; }
-  /// For how long the trial was paused after its first flip; not part of the response time.
+  /// For how long the trial was paused after its first flip, to the first flip of the image that was on and
+  /// returns; of a blank that a pause interrupts, which is repeated whole, what had gone by counts as paused
+  /// too. Not part of the response time, which is that of the trial without pauses.
   std::int64_t paused_us() const { return paused_us_; }
 
  private:
   PressOutcome judge(Press press, std::int64_t t_us) const;
   PressOutcome judge_choice() const;
   void go_black();
+  std::int64_t blank_so_far_us(std::int64_t t_us) const;
+  void end_pause(std::int64_t t_us);
 
   TrialOptions options_;
   Stimulus on_ = Stimulus::kBlack;           // what is, or is about to be, on the display
   Stimulus next_ = Stimulus::kBlack;         // what follows the black; kBlack: nothing yet, the trial waits
   std::optional<std::int64_t> on_since_us_;  // first flip with on_; empty until it is reported
   std::int64_t began_at_us_ = -1, chosen_at_us_ = 0, black_since_us_ = 0;
-  std::int64_t paused_at_us_ = 0, paused_us_ = 0;
+  std::optional<std::int64_t> pause_began_us_;  // until what was interrupted is there again
+  std::int64_t paused_us_ = 0;
+  bool again_ = false;  // next_ was on before the pause
   bool seen_left_ = false, seen_right_ = false, seen_comparison_ = false;
   bool paused_ = false;
   std::optional<Stimulus> choice_;

@@ -83,7 +83,7 @@ class TrialLoop {
     const auto press = decoder_.decode(input);
     if (context_.inputs.pad_is_missing() && is_key(input, "Return")) context_.inputs.go_on_with_keyboard();
     if (input.kind == RawInput::Kind::kDisconnected) return pause_for_pad(input.t_us);
-    if (machine_.paused() && !context_.inputs.pad_is_missing()) return go_on(input.t_us);
+    if (machine_.paused() && !context_.inputs.pad_is_missing()) return go_on();
     if (press) react(machine_.pressed(*press, input.t_us), *press, input.name);
   }
 
@@ -103,13 +103,12 @@ class TrialLoop {
     // Nothing is known of what was pressed and released while the page was on.
     decoder_ = PressDecoder();
     if (context_.inputs.pad_is_missing()) return pause_for_pad(t_us);
-    go_on(context_.recorder.t_us());
+    go_on();
   }
 
-  void go_on(std::int64_t t_us) {
+  void go_on() {
     context_.recorder.write("continued");
-    again_ = true;
-    react(machine_.resume(t_us));
+    react(machine_.resume());
   }
 
   void react(const TrialReaction& reaction) {
@@ -134,9 +133,8 @@ class TrialLoop {
                               : shown.stimulus == Stimulus::kReference ? "reference"
                               : scene_.of(shown.stimulus).shows_test   ? "test"
                                                                        : "reference";
-    context_.recorder.write(again_ && !black ? "shown_again" : "shown", name_of(shown.stimulus), which,
+    context_.recorder.write(shown.again ? "shown_again" : "shown", name_of(shown.stimulus), which,
                             meter_.take(more));
-    if (!black) again_ = false;
   }
 
   void store_choice() {
@@ -153,7 +151,6 @@ class TrialLoop {
   TrialMachine machine_;
   PressDecoder decoder_;
   FlipMeter meter_;
-  bool again_ = false;  // the next image was on before a pause: no new view
 };
 
 }  // namespace

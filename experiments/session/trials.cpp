@@ -1,5 +1,7 @@
 #include "experiments/session/trials.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <nlohmann/json.hpp>
@@ -31,7 +33,7 @@ class TrialCollector {
 
   void take(const SessionEvent& event) {
     if (event.kind == "trial_started") begin(event);
-    if (event.kind == "shown") see(event);
+    if (event.kind == "shown" || event.kind == "shown_again") see(event);
     if (event.kind == "press" && event.outcome.starts_with("refused_")) ++record_.refused;
     record_.dropped_frames += detail_number(event, "dropped");
     record_.longest_frame_us = std::max(record_.longest_frame_us, detail_number(event, "longest_us"));
@@ -39,12 +41,25 @@ class TrialCollector {
   }
 
  private:
+  void require(bool sound, const SessionEvent& event, const char* otherwise) const {
+    if (!sound)
+      throw InputError(fmt::format("session {} holds {} (event {}): it is damaged", identity_.participant,
+                                   otherwise, event.sequence));
+  }
+
   void begin(const SessionEvent& event) {
+    constexpr const char* kUnplanned = "a trial that its study does not plan";
     const auto place = static_cast<std::size_t>(event.position - 1),
                index = static_cast<std::size_t>(event.trial - 1);
-    if (place >= plan_.blocks.size() || index >= plan_.blocks[place].trials.size())
-      throw InputError(identity_.participant + " holds a trial that its study does not plan: it is damaged");
+    require(place < plan_.blocks.size() && index < plan_.blocks[place].trials.size(), event, kUnplanned);
     const PlannedTrial& planned = plan_.blocks[place].trials[index];
+    require(event.block == plan_.blocks[place].block && event.image == planned.image &&
+                event.what == (planned.catch_trial ? "catch" : "") &&
+                event.outcome == (planned.test_first ? "test_left" : "test_right"),
+            event, kUnplanned);
+    require(!summary_.completed(event.position, event.trial), event, "a trial after its choice");
+    on_.clear();
+    in_trial_ = true;
     record_ = {};
     record_.participant = identity_.participant;
     record_.mode = identity_.mode;
@@ -61,18 +76,43 @@ class TrialCollector {
     record_.began_us = -1;
   }
 
+  /// What is behind a comparison by the plan: "test" or "reference".
+  std::string behind(const std::string& comparison) const {
+    return (comparison == "left") == record_.test_first ? "test" : "reference";
+  }
+
   void see(const SessionEvent& event) {
+    require_in_trial(event);
+    const bool comparison = event.what == "left" || event.what == "right";
+    require(comparison || event.what == "reference" || event.what == "black", event, "an unknown picture");
+    require(!comparison || event.outcome == behind(event.what), event,
+            "a picture that is not the planned one");
+    on_ = event.what;
     if (event.what == "black" && record_.began_us < 0) record_.began_us = event.t_us;
+    if (event.kind == "shown_again") return;  // after a pause: no new view
     if (event.what == "reference") ++record_.views_reference;
     if (event.what == "left") ++record_.views_a;
     if (event.what == "right") ++record_.views_b;
   }
 
+  void require_in_trial(const SessionEvent& event) const {
+    require(in_trial_ && event.position == record_.position && event.trial == record_.trial &&
+                event.attempt == record_.attempt && event.run == record_.run &&
+                event.block == record_.block && event.image == record_.image,
+            event, "an event of a trial that had not begun");
+  }
+
+  /// The choice as it was stored; that it agrees with what was on and with the plan shows that it is whole.
   void end(const SessionEvent& event) {
-    record_.chose_test = (event.what == "left") == record_.test_first;
+    require_in_trial(event);
+    require((event.what == "left" || event.what == "right") && event.what == on_, event,
+            "a choice of what was not on");
+    require(event.outcome == behind(event.what), event, "a choice that contradicts itself");
+    record_.chose_test = event.outcome == "test";
     record_.paused_us = detail_number(event, "paused_us");
     record_.response_s = static_cast<double>(event.t_us - record_.began_us - record_.paused_us) * 1e-6;
     summary_.trials.push_back(record_);
+    in_trial_ = false;
   }
 
   const SessionIdentity& identity_;
@@ -80,6 +120,8 @@ class TrialCollector {
   SessionPlan plan_;
   SessionSummary& summary_;
   TrialRecord record_;
+  std::string on_;         // what is on the display: "black", "reference", "left", "right"
+  bool in_trial_ = false;  // begun and not chosen
 };
 
 }  // namespace

@@ -55,7 +55,9 @@ struct SessionSummary {
   bool completed(int position, int trial) const;
 };
 
-/// Derives everything from the events. `study` is the one the session was created with.
+/// Derives everything from the events. `study` is the one the session was created with. Choices count as they
+/// were stored; the plan and what was on the display only confirm them. Throws InputError where they do not,
+/// or a trial is not the planned one: the session is damaged.
 SessionSummary summarise(const SessionIdentity& identity, const StudyDefinition& study,
                          std::span<const SessionEvent> events);
 

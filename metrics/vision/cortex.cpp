@@ -27,7 +27,7 @@ double fan(int orientations, int orientation, double x, double y) {
 }  // namespace
 
 double lower_edge(int band) {
-  return std::ldexp(1.0, -(band + 2));
+  return 1.0 / (4 << band);
 }
 
 double base_response(const CortexLayout& layout, double frequency) {

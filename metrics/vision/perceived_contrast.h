@@ -11,6 +11,8 @@ namespace plenolab::vision {
 ///     pixel to its blurred luminance (linearly over its logarithm, the ends beyond). As JND have the
 ///     threshold at the peak in them already, each filter is the sensitivity over its peak; as the optics are
 ///     a step of their own, it is divided by them; it is cut at 1, and the mean is removed (0 at ρ = 0).
+/// The optics are cut at the image's highest frequency, so that a pixel millions of times brighter than what
+/// is around it, a sun, not only veils it, as it does in the eye, but also rings along its row and column.
 /// Values are contrasts about 0: 1 is just visible where sensitivity is best.
 ///
 /// Luminance in cd/m², finite, of at least one pixel. Bit-identical for any number of threads.

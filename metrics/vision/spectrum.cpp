@@ -77,15 +77,21 @@ Spectrum spectrum_of(const Plane<float>& padded) {
 }
 
 Spectrum filter(const Spectrum& spectrum, const PairResponse& response, int threads) {
-  Spectrum filtered(spectrum.width(), spectrum.height());
-  parallel_for(spectrum.height(), kRowsAtOnce, threads, [&](int begin, int end) {
+  const int width = spectrum.width(), height = spectrum.height();
+  Spectrum filtered(width, height);
+  const auto put = [&](int x, int y, FilterPair r) {
+    const std::complex<float> s = spectrum.at(x, y);
+    filtered.at(x, y) = {r.first * s.real() - r.second * s.imag(), r.first * s.imag() + r.second * s.real()};
+  };
+  // Responses are even: each is evaluated once for (x, y) and (−x, −y).
+  parallel_for(height / 2 + 1, kRowsAtOnce, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y) {
-      const double fy = frequency_at(y, spectrum.height());
-      for (int x = 0; x < spectrum.width(); ++x) {
-        const FilterPair r = response(frequency_at(x, spectrum.width()), fy);
-        const std::complex<float> s = spectrum.at(x, y);
-        filtered.at(x, y) = {r.first * s.real() - r.second * s.imag(),
-                             r.first * s.imag() + r.second * s.real()};
+      const int opposite = (height - y) % height;
+      const double fy = frequency_at(y, height);
+      for (int x = 0; x < width; ++x) {
+        const FilterPair r = response(frequency_at(x, width), fy);
+        put(x, y, r);
+        if (opposite != y) put((width - x) % width, opposite, r);
       }
     }
   });

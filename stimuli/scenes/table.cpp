@@ -29,6 +29,11 @@ constexpr std::array kNearEyeScenes{
     SceneEntry{"near-eye-5", "Extreme occlusion", build_near_eye_5},
 };
 
+constexpr std::array kDisplayScenes{
+    LitSceneEntry{"pillars", "Pillars", build_pillars},
+    LitSceneEntry{"sphere", "Sphere", build_sphere},
+};
+
 }  // namespace
 
 std::span<const SceneEntry> scenes() {
@@ -37,6 +42,19 @@ std::span<const SceneEntry> scenes() {
 
 std::span<const SceneEntry> near_eye_scenes() {
   return kNearEyeScenes;
+}
+
+std::span<const LitSceneEntry> display_scenes() {
+  return kDisplayScenes;
+}
+
+LitScene build_display_scene(std::string_view id) {
+  std::string known;
+  for (const LitSceneEntry& entry : display_scenes()) {
+    if (id == entry.id) return entry.build();
+    known += fmt::format("{}{}", known.empty() ? "" : ", ", entry.id);
+  }
+  throw InputError(fmt::format("There is no scene '{}' for displays; choose one of: {}.", id, known));
 }
 
 Scene build_scene(std::string_view id) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "core/base/error.h"
 
 namespace plenolab {
@@ -29,6 +31,29 @@ TEST(Timing, RunsWarmUpsAndTimedRunsAsOftenAsAsked) {
   EXPECT_LE(summary.median_s, summary.max_s);
   options.runs = 0;
   EXPECT_THROW(time_repeated([] {}, options), InputError);
+}
+
+TEST(Timing, WorkIsTimedInTurnAndEachStageHasItsMedian) {
+  std::string order;
+  std::vector<double> first{100, 3, 1, 2}, second{200, 30, 10, 20};  // the warm-up runs are far off
+  const auto next = [](std::vector<double>& values) {
+    const double value = values.front();
+    values.erase(values.begin());
+    return value;
+  };
+  const auto medians = medians_in_turn({[&] {
+                                          order += 'a';
+                                          const double v = next(first);
+                                          return std::vector{v, 5 * v};
+                                        },
+                                        [&] {
+                                          order += 'b';
+                                          return std::vector{next(second)};
+                                        }},
+                                       {.runs = 3});
+  EXPECT_EQ(order, "abababab");
+  EXPECT_EQ(medians, (std::vector<std::vector<double>>{{2, 10}, {20}}));
+  EXPECT_THROW(medians_in_turn({}, {.runs = 0}), InputError);
 }
 
 TEST(Timing, WritesRowsWithStableNames) {

@@ -27,6 +27,8 @@ const std::vector<Layer>& layers() {
       {"core/lut", {"core/base", "core/image", "core/io"}},
       {"core/display", {"core/base", "core/image"}},
       {"core/reprojection", {"core/base", "core/image", "core/display"}},
+      {"core/luminance",
+       {"core/base", "core/image", "core/io", "core/lightfield", "core/synthesis", "core/tonemap"}},
       {"metrics", {"core"}},
       {"stimuli", {"core"}},
       {"analysis", {"core"}},

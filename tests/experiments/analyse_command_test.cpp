@@ -141,6 +141,22 @@ TEST_F(Analyse, TrialsTellWhetherParticipantsDifferGivenTheImages) {
   EXPECT_EQ(result.out.find("several trials of one image"), std::string::npos);
 }
 
+TEST_F(Analyse, WhatIsResampledOfATableFollowsTheSeed) {
+  std::string text =
+      "participant,mode,block,position,display,order,trial,image,catch,test_first,chose_test,response_s,"
+      "views_reference,views_a,views_b,refused\n";
+  for (int p = 0; p < 30; ++p)
+    for (int i = 0; i < 2; ++i)
+      text += fmt::format("P{},real,b1,1,monitor,ab,{},{},0,{},{},2.5,1,1,1,0\n", p, i + 1, i, p / 4 % 2,
+                          (i == 0 ? p : p / 2) % 2);
+  const fs::path trials = written("trials.csv", text);
+  const auto p_with = [&](const std::string& seed) {
+    return run_for({"analyse", "table", trials, "--seed", seed}, "participant_effect_p");
+  };
+  EXPECT_EQ(p_with("7"), p_with("7"));
+  EXPECT_NE(p_with("7"), p_with("8"));
+}
+
 TEST_F(Analyse, FitsLevelsAndSaysWhenTheyDetermineNothing) {
   const fs::path good = written("good.csv", "x,n,k\n1,40,20\n2,40,25\n3,40,33\n4,40,39\n5,40,40\n");
   EXPECT_EQ(run_for({"analyse", "psychometric", good, "--resamples", "100"}, "determined"), 1);

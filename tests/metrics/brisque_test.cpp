@@ -91,6 +91,23 @@ TEST(BrisqueFeatures, NeedAWindowOfValidPixels) {
             std::string::npos);
 }
 
+TEST(BrisquePlenolab, RisesWithNoise) {
+  const auto score = [](double deviation) {
+    DisplayImage image(192, 108);
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const double value = 0.5 + 0.3 * std::sin(0.05 * x) * std::cos(0.07 * y) + 0.02 * std::sin(0.8 * x) +
+                             deviation * normal(static_cast<std::uint64_t>(y * image.width() + x));
+        image.at(x, y) = Rgb{1, 1, 1} * static_cast<float>(std::clamp(value, 0.0, 1.0));
+      }
+    }
+    return brisque_plenolab(image, {}).front().value;
+  };
+  const double little = score(0.01), some = score(0.04), much = score(0.16);
+  EXPECT_LT(little + 5, some);
+  EXPECT_LT(some + 5, much);
+}
+
 TEST(BrisqueScore, IsAWeightedSumOfStandardisedInputsAndSquares) {
   std::array<double, 36> mean{}, deviation{};
   std::array<double, 72> weights{};

@@ -105,12 +105,18 @@ std::string causes_text(const MatchResiduals& r) {
 }
 
 std::string differs_text(const ByMethod& all, int worse_in_one_step, std::size_t scenes) {
-  if (all[0].beyond_half + all[1].beyond_half == 0) return "They agree in this run.";
-  return fmt::format(
-      "The rule looks at where a pixel lands by its own depth, and holds by construction in each step; it "
-      "cannot see that another surface should be there. Of the displaced matches in two steps {}; in one "
-      "step {}. One step has more of them than two in {} of {} scenes.",
-      causes_text(all[0]), causes_text(all[1]), worse_in_one_step, scenes);
+  const std::string rule =
+      "That accepted matches land within half a pixel by their own depth holds by construction, as the "
+      "search "
+      "accepts nothing else, and is no verdict; the largest offset says only that the search does what the "
+      "rule says. ";
+  if (all[0].beyond_half + all[1].beyond_half == 0)
+    return rule + "Against the true depth it holds here, too.";
+  return rule + fmt::format(
+                    "The rule cannot see that another surface should be there. Of the displaced matches in "
+                    "two steps {}; in one "
+                    "step {}. One step has more of them than two in {} of {} scenes.",
+                    causes_text(all[0]), causes_text(all[1]), worse_in_one_step, scenes);
 }
 
 }  // namespace
@@ -122,8 +128,6 @@ ReproductionResult reproduce_claim_h5(Laboratory& laboratory) {
   const ByMethod all = measure(bench, result, worse_in_one_step);
   const double offset = std::max(all[0].largest_offset_px, all[1].largest_offset_px),
                displacement = std::max(all[0].largest_displacement_px, all[1].largest_displacement_px);
-  Verdict rule = decide_claim({offset, offset, offset}, Comparison::kBelow, 0.5 + 1e-6, "largest_offset",
-                              "px", "all matches");
   Verdict truth = decide_claim({displacement, displacement, displacement}, Comparison::kBelow, 0.5,
                                "largest_displacement", "px", "all matches");
   result.paper_shows =
@@ -136,11 +140,6 @@ ReproductionResult reproduce_claim_h5(Laboratory& laboratory) {
   result.add_plot("offsets", offset_plot(all));
   if (ReportPlot plot = displacement_plot(all); !plot.plot.series.empty())
     result.add_plot("displacements", std::move(plot));
-  conclude_on_scenes(result, bench,
-                     {"H-5a", thesis("section 3.2.1"), "Accepted matches land within half a pixel."},
-                     std::move(rule),
-                     "It holds by construction: the search accepts nothing else. What is measured is that "
-                     "the search does what the rule says.");
   conclude_on_scenes(
       result, bench,
       {"H-5b", thesis("section 3.2.1"), "No reprojected pixel is off by more than half a pixel."},

@@ -1,6 +1,5 @@
 #include "experiments/reproduce/display/near_eye_bench.h"
 
-#include "analysis/statistics.h"
 #include "analysis/timing.h"
 #include "stimuli/scenes/table.h"
 
@@ -84,43 +83,40 @@ DisplayImage NearEyeBench::image(const std::string& id, const Recipe& recipe) {
                       recipe.supersampling, threads());
 }
 
-std::vector<std::string> NearEyeBench::timed_scene_ids() const {
-  return {scene_ids().front(), scene_ids().back()};
+std::vector<double> NearEyeBench::time_reprojected(const std::string& id, int supersampling) {
+  const NearEyeScene& prepared = scene(id, supersampling);
+  const CameraArray cameras_array = array(id, supersampling);
+  std::vector<double> seconds;
+  const auto timed = [&](const auto& work) {
+    const Stopwatch watch;
+    auto made = work();
+    seconds.push_back(watch.seconds());
+    return made;
+  };
+  const auto rendered = timed([&] { return render_cameras(prepared, Recipe{}.cameras, threads()); });
+  const ReprojectionResult result =
+      timed([&] { return reproject(cameras_array, rendered, {.threads = threads()}); });
+  timed([&] { return to_subimages(result.light_field, cameras_array.layout, supersampling, threads()); });
+  return seconds;
 }
 
-const NearEyeBench::Timing& NearEyeBench::timing(const std::string& id, const Recipe& recipe,
-                                                 bool with_direct) {
-  const RecipeKey key = key_of(id, recipe);
-  if (const auto found = timings_.find(key);
-      found != timings_.end() && (!with_direct || !found->second.direct_runs_s.empty()))
+double NearEyeBench::time_every_camera(const std::string& id, int supersampling) {
+  direct(id, supersampling);  // the run that does not count
+  return render_directly(scene(id, supersampling), threads()).seconds;
+}
+
+const NearEyeBench::SceneTiming& NearEyeBench::timing(const std::string& id, bool with_direct) {
+  if (const auto found = timings_.find(id);
+      found != timings_.end() && (!with_direct || found->second.plain.every_camera_s > 0))
     return found->second;
-  const NearEyeScene& prepared = scene(id, recipe.supersampling);
-  const CameraArray cameras_array = array(id, recipe.supersampling);
-  const ReprojectionOptions options{recipe.method, recipe.holes, false, threads()};
-  if (with_direct) direct(id, recipe.supersampling);  // its run that does not count
-  std::vector<double> cameras_s, reprojection_s, down_sampling_s, direct_s;
-  for (int run = 0; run <= kTimedRuns; ++run) {
-    const auto timed = [&](std::vector<double>& seconds, const auto& work) {
-      const Stopwatch watch;
-      auto made = work();
-      if (run > 0) seconds.push_back(watch.seconds());
-      return made;
-    };
-    const auto rendered =
-        timed(cameras_s, [&] { return render_cameras(prepared, recipe.cameras, threads()); });
-    const ReprojectionResult result =
-        timed(reprojection_s, [&] { return reproject(cameras_array, rendered, options); });
-    timed(down_sampling_s, [&] {
-      return to_subimages(result.light_field, cameras_array.layout, recipe.supersampling, threads());
-    });
-    if (with_direct && run > 0) timed(direct_s, [&] { return render_directly(prepared, threads()); });
-  }
-  Timing timing{median(cameras_s), median(reprojection_s), median(down_sampling_s), {}, {}};
-  for (std::size_t run = 0; run < cameras_s.size(); ++run) {
-    timing.reprojected_runs_s.push_back(cameras_s[run] + reprojection_s[run] + down_sampling_s[run]);
-    if (with_direct) timing.direct_runs_s.push_back(direct_s[run] + down_sampling_s[run]);
-  }
-  return timings_.insert_or_assign(key, timing).first->second;
+  const auto medians =
+      medians_in_turn({[&] { return time_reprojected(id, 2); }, [&] { return time_reprojected(id, 1); }},
+                      {.runs = kTimedRuns});
+  const auto timing_of = [&](const std::vector<double>& stages, int supersampling) {
+    return Timing{stages[0], stages[1], stages[2], with_direct ? time_every_camera(id, supersampling) : 0};
+  };
+  const SceneTiming timing{timing_of(medians[0], 2), timing_of(medians[1], 1)};
+  return timings_.insert_or_assign(id, timing).first->second;
 }
 
 }  // namespace plenolab

@@ -25,15 +25,20 @@ class NearEyeBench {
     int cameras = 4, supersampling = 2;
   };
 
-  /// Seconds that a light field took: few cameras rendered and exposed and the rest reprojected, or every
+  /// Seconds that a light field took: four cameras rendered and exposed and the rest reprojected, or every
   /// camera rendered and exposed, down-sampling in both. Medians of kTimedRuns runs after one that does not
-  /// count; a run of one beside a run of the other.
+  /// count; of every camera one run, which takes as long as many of the others, after one that does not
+  /// count.
   static constexpr int kTimedRuns = 3;
   struct Timing {
     double cameras_s = 0, reprojection_s = 0, down_sampling_s = 0;
-    double reprojected_total_s() const { return cameras_s + reprojection_s + down_sampling_s; }
-    /// Whole light fields of each run, and beside them those with every camera rendered where asked for.
-    std::vector<double> reprojected_runs_s, direct_runs_s;
+    double every_camera_s = 0;  ///< 0 where it was not asked for
+    double reprojected_s() const { return cameras_s + reprojection_s + down_sampling_s; }
+    double direct_s() const { return every_camera_s + down_sampling_s; }
+  };
+  /// Of one scene, all measured together: run by run with supersampling and without.
+  struct SceneTiming {
+    Timing supersampled, plain;
   };
 
   const std::vector<std::string>& scene_ids() const;
@@ -52,15 +57,18 @@ class NearEyeBench {
   /// The same at the size of the display's subimages.
   DisplayImage image(const std::string& id, const Recipe& recipe);
   /// `with_direct`: rendering every camera takes most of the time of an item.
-  const Timing& timing(const std::string& id, const Recipe& recipe, bool with_direct = false);
-  /// Scenes that are timed with every camera rendered: the first and the last.
-  std::vector<std::string> timed_scene_ids() const;
+  const SceneTiming& timing(const std::string& id, bool with_direct = false);
   /// Layout at the size of the display's subimages.
   SubimageLayout subimages(const std::string& id);
 
   int threads() const { return laboratory_.options().threads; }
 
  private:
+  /// Seconds of cameras, reprojection and down-sampling of a light field that is made and thrown away.
+  std::vector<double> time_reprojected(const std::string& id, int supersampling);
+  /// Seconds of rendering every camera once more, or for the second time.
+  double time_every_camera(const std::string& id, int supersampling);
+
   using Key = std::tuple<std::string, int>;
   using RecipeKey = std::tuple<std::string, int, int, int, int>;
   static RecipeKey key_of(const std::string& id, const Recipe& recipe) {
@@ -76,7 +84,7 @@ class NearEyeBench {
   std::map<std::string, Plane<float>> true_disparity_px_;
   std::map<std::tuple<std::string, int, int>, std::vector<RenderedCamera>> cameras_;
   std::map<std::string, std::shared_ptr<const ReprojectionResult>> reprojected_;
-  std::map<RecipeKey, Timing> timings_;
+  std::map<std::string, SceneTiming> timings_;
 };
 
 }  // namespace plenolab

@@ -75,21 +75,24 @@ void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim c
   conclude(result, std::move(claim), std::move(verdict));
 }
 
-std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
-  std::vector<double> times;
-  for (const std::string& id : bench.scene_ids())
-    times.push_back(bench.timing(id, recipe).reprojected_total_s());
+ReprojectedTimes reprojected_times(NearEyeBench& bench) {
+  ReprojectedTimes times;
+  for (const std::string& id : bench.scene_ids()) {
+    const NearEyeBench::SceneTiming& timing = bench.timing(id);
+    times.supersampled.push_back(timing.supersampled.reprojected_s());
+    times.plain.push_back(timing.plain.reprojected_s());
+  }
   return times;
 }
 
-NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe& recipe) {
+NearEyeTimes times_side_by_side(NearEyeBench& bench) {
   NearEyeTimes times;
-  for (const std::string& id : bench.timed_scene_ids()) {
-    const NearEyeBench::Timing& t = bench.timing(id, recipe, true);
-    times.direct.insert(times.direct.end(), t.direct_runs_s.begin(), t.direct_runs_s.end());
-    times.reprojected.insert(times.reprojected.end(), t.reprojected_runs_s.begin(),
-                             t.reprojected_runs_s.end());
+  for (const std::string& id : bench.scene_ids()) {
+    const NearEyeBench::SceneTiming& timing = bench.timing(id, true);
+    times.direct_supersampled.push_back(timing.supersampled.direct_s());
+    times.direct_plain.push_back(timing.plain.direct_s());
   }
+  times.reprojected = reprojected_times(bench);
   return times;
 }
 

@@ -44,14 +44,18 @@ DisplayImage centre_enlarged(const DisplayImage& light_field, const SubimageLayo
 void conclude_on_scenes(ReproductionResult& result, NearEyeBench& bench, Claim claim, Verdict verdict,
                         std::string explanation);
 
-/// Seconds of a light field of each scene, see NearEyeBench::timing: with few cameras rendered in all scenes
-/// …
-std::vector<double> reprojected_times(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
-/// … and side by side with every camera rendered, run by run, in NearEyeBench::timed_scene_ids.
-struct NearEyeTimes {
-  std::vector<double> direct, reprojected;
+/// Seconds of a light field, scene by scene (NearEyeBench::timing): with few cameras rendered, run by run
+/// with supersampling and without …
+struct ReprojectedTimes {
+  std::vector<double> supersampled, plain;
 };
-NearEyeTimes times_side_by_side(NearEyeBench& bench, const NearEyeBench::Recipe& recipe);
+ReprojectedTimes reprojected_times(NearEyeBench& bench);
+/// … and beside every camera rendered.
+struct NearEyeTimes {
+  ReprojectedTimes reprojected;
+  std::vector<double> direct_supersampled, direct_plain;
+};
+NearEyeTimes times_side_by_side(NearEyeBench& bench);
 
 /// What the intervals of ratio_over_scenes and share_over_scenes cover.
 inline constexpr const char* kRatioOverScenes =

@@ -103,7 +103,9 @@ SimulatedStudy simulate(std::uint64_t seed) {
   result.counts = export_sessions(sessions, SessionMode::kSimulated, out);
   measure_black(sessions, result);
   const CsvTable table = parse_csv(read_text_file(out / "trials.csv"), "trials.csv");
-  result.analysed = analyse_trials(parse_study_trials(table), published_options());
+  StudyOptions study = published_options();
+  study.seed = seed;
+  result.analysed = analyse_trials(parse_study_trials(table), study);
   return result;
 }
 

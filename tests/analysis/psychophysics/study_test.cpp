@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "analysis/psychophysics/dprime.h"
@@ -172,12 +173,17 @@ TEST(StudyTable, SaysWhenNoCountCouldShowEquivalenceOrPass) {
   strict.p_null = 0.9;
   const Study hopeless = analyse_counts({{"d", "i", {3, 3}, 0, ""}}, strict);
   EXPECT_FALSE(hopeless.rows[0].passed);
+  EXPECT_FALSE(std::signbit(hopeless.any_false_pass));
   EXPECT_TRUE(verdict_text(hopeless.rows[0], strict).starts_with("failed: no count of 3 trials"));
 }
 
+/// How answers to image b go with those to image a.
+enum class Likeness { kAlike, kDiffer };
+
 /// `people` participants see images a and b once on one display, and every second of them takes the test
-/// image for the reference. Each has `catches` catch trials, of which the first `wrong` people fail one.
-std::vector<StudyTrial> guessers(int people, int catches, int wrong) {
+/// image for the reference: of b those who took a's and those who did not as often, or the same people.
+/// Each has `catches` catch trials, of which the first `wrong` people fail one.
+std::vector<StudyTrial> guessers(int people, int catches, int wrong, Likeness likeness = Likeness::kAlike) {
   std::vector<StudyTrial> trials;
   for (int p = 0; p < people; ++p) {
     StudyTrial trial;
@@ -187,8 +193,8 @@ std::vector<StudyTrial> guessers(int people, int catches, int wrong) {
     trial.display = "monitor";
     for (const std::string image : {"a", "b"}) {
       trial.image = image;
-      trial.test_first = p % 4 < 2;
-      trial.chose_test = p % 2 == 0;
+      trial.test_first = p % 8 < 4;
+      trial.chose_test = (image == "b" && likeness == Likeness::kAlike ? p / 2 : p) % 2 == 0;
       trials.push_back(trial);
       ++trial.trial;
     }
@@ -219,6 +225,43 @@ TEST(StudyTable, WithholdsIndistinguishableWhereNobodyIsKnownToHaveLooked) {
   EXPECT_NE(half.find("but 100 of 200 catch trials were wrong"), std::string::npos) << half;
 }
 
+TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsDiffer) {
+  const Study study = analyse_trials(guessers(200, 1, 0, Likeness::kDiffer));
+  ASSERT_LT(study.observers[0].participants->p_value, study.options.alpha);
+  for (const StudyRow& row : study.rows) {
+    EXPECT_LT(row.equivalence_p_holm, study.options.alpha);
+    EXPECT_FALSE(row.indistinguishable(study.options.equivalence));
+    const std::string text = equivalence_text(row, study.options.equivalence);
+    EXPECT_NE(text.find("but only on average: participants differ on this display"), std::string::npos)
+        << text;
+  }
+}
+
+TEST(StudyTable, ParticipantsWhoDifferOnOneDisplayCastNoDoubtOnAnother) {
+  std::vector<StudyTrial> trials = guessers(200, 1, 0);
+  for (StudyTrial trial : guessers(200, 1, 0, Likeness::kDiffer)) {
+    trial.display = "light-field";
+    trial.block = "b2";
+    trials.push_back(trial);
+  }
+  const Study study = analyse_trials(trials);
+  for (const StudyRow& row : study.rows)
+    EXPECT_EQ(row.indistinguishable(study.options.equivalence), row.count.display == "monitor")
+        << row.count.display << row.withheld;
+}
+
+TEST(StudyTable, TheSeedIsThatOfTheResampling) {
+  const std::vector<StudyTrial> trials = guessers(30, 1, 0);
+  const auto effect = [&](std::uint64_t seed) {
+    StudyOptions options;
+    options.seed = seed;
+    return analyse_trials(trials, options).observers[0].participants.value();
+  };
+  EXPECT_EQ(effect(7).p_value, effect(7).p_value);
+  EXPECT_NE(effect(7).p_value, effect(8).p_value);
+  EXPECT_EQ(effect(7).correlation.estimate, effect(8).correlation.estimate);
+}
+
 TEST(StudyTable, TheLimitOfLapsesIsTheOneStated) {
   const std::vector<StudyTrial> trials = guessers(200, 1, 4);
   const double high = lapse_rate(trials)->lapse.high;
@@ -240,7 +283,7 @@ TEST(StudyTable, WithholdsIndistinguishableWhereParticipantsRepeatAnImage) {
 
 TEST(StudyTable, OverdispersionIsThatOfOneImageAndOnlyWhereItIsRepeated) {
   const auto repeated_by = [](int tenth) {
-    std::vector<StudyTrial> trials = guessers(200, 1, 0);
+    std::vector<StudyTrial> trials = guessers(200, 1, 0, Likeness::kDiffer);
     for (StudyTrial& trial : trials)
       trial.participant = fmt::format("P{}", std::stoi(trial.participant.substr(1)) % tenth);
     return analyse_trials(trials);

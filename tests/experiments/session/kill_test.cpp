@@ -15,8 +15,10 @@
 #include "core/base/random.h"
 #include "experiments/session/example_study.h"
 #include "experiments/session/export.h"
+#include "experiments/session/same_study.h"
 #include "experiments/session/simulate.h"
 #include "experiments/session/sqlite.h"
+#include "experiments/session/study_files.h"
 #include "tests/experiments/plane_field.h"
 #include "tests/experiments/session/tiny_study.h"
 
@@ -135,22 +137,23 @@ TEST(KilledSession, AFullDiskIsOneSentenceAndNothingIsLost) {
 }
 
 TEST(KilledSession, ASignalToStopEndsItInGoodOrderAndTellsHowToGoOn) {
-  const TemporaryFolder folder;
-  write_tiny_study(folder.path());
+  const TemporaryFolder parent;
+  const fs::path folder = parent.path() / "it's a study";
+  write_tiny_study(folder);
   ::setenv("SDL_VIDEODRIVER", "dummy", 1), ::setenv("SDL_AUDIODRIVER", "dummy", 1);
   for (const int number : {SIGTERM, SIGINT, SIGHUP}) {
     const Killed killed = run_and_kill(
-        {PLENOLAB_PROGRAM, "session", "run", folder.path(), "--pilot", "--keyboard", "--echo"}, 3, number);
+        {PLENOLAB_PROGRAM, "session", "run", folder, "--pilot", "--keyboard", "--echo"}, 3, number);
     EXPECT_TRUE(WIFSIGNALED(killed.status) && WTERMSIG(killed.status) == number) << killed.status;
     const std::string who = fmt::format("pilot-{:03}", number == SIGTERM ? 1 : number == SIGINT ? 2 : 3);
     EXPECT_NE(killed.rest.find(fmt::format("session {} was stopped; everything so far is stored in ", who)),
               std::string::npos)
         << killed.rest;
-    EXPECT_NE(
-        killed.rest.find(fmt::format("'plenolab session resume {} {}' goes on", folder.path().string(), who)),
-        std::string::npos)
+    const std::string quoted = fmt::format("'{}'", (parent.path() / "it'\\''s a study").string());
+    EXPECT_NE(killed.rest.find(fmt::format("; to go on: plenolab session resume {} {}\n", quoted, who)),
+              std::string::npos)
         << killed.rest;
-    const StoredSession stored = read_session(folder.path() / "sessions" / who);
+    const StoredSession stored = read_session(folder / "sessions" / who);
     EXPECT_EQ(stored.events.back().kind, "stopped");
     EXPECT_NE(stored.events.front().detail.find(R"("audio":"yes")"), std::string::npos);
   }
@@ -256,6 +259,12 @@ TEST(SessionCommand, ListsAndExportsWhatCanBeReadAndTellsWhatCannot) {
   const ProgramResult listed = run_program({"session", "list", sessions});
   EXPECT_NE(listed.out.find("in the order headset-first: 1"), std::string::npos) << listed.out;
   EXPECT_NE(listed.out.find("not read: "), std::string::npos) << listed.out;
+  {
+    const SessionStore running =
+        SessionStore::open(folder.path() / "sessions" / "simulated-001", Durability::kProcessEnd);
+    const ProgramResult meanwhile = run_program({"session", "list", sessions});
+    EXPECT_NE(meanwhile.out.find("running: simulated-001\n"), std::string::npos) << meanwhile.out;
+  }
   const ProgramResult json = run_program({"session", "list", sessions, "--json", "-"});
   const auto rows = nlohmann::json::parse(json.out).at("rows");
   EXPECT_EQ(rows.back().at("quantity"), "sessions_not_read");
@@ -266,8 +275,33 @@ TEST(SessionCommand, ListsAndExportsWhatCanBeReadAndTellsWhatCannot) {
   const ProgramResult exported = run_program(
       {"session", "export", sessions, "--mode", "simulated", "-o", out, "--leave-out-damaged", "--csv", "-"});
   EXPECT_EQ(exported.status, 0) << exported.err;
+  for (const auto& entry : fs::recursive_directory_iterator(out))
+    EXPECT_EQ(entry.status().permissions() & (fs::perms::group_all | fs::perms::others_all), fs::perms::none)
+        << entry.path();
+  EXPECT_TRUE(fs::exists(fs::path(out) / "run.json"));
   EXPECT_NE(exported.out.find("simulated,,sessions_done,2,sessions"), std::string::npos) << exported.out;
   EXPECT_NE(exported.out.find("simulated,,sessions_left_out,1,sessions"), std::string::npos) << exported.out;
+}
+
+TEST(SessionCommand, CopiesOfSessionsAreNeitherResumedNorListed) {
+  const TemporaryFolder folder;
+  const StudyDefinition study = write_tiny_study(folder.path());
+  {
+    SessionStore::create(folder.path() / "sessions",
+                         new_identity(read_study(folder.path()), SessionMode::kPilot, 1),
+                         Durability::kProcessEnd);
+  }
+  fs::copy(folder.path() / "sessions" / "pilot-001", folder.path() / "sessions" / "pilot-009");
+  const char* why = "pilot-009 holds the pilot session pilot-001 (number 1): a copy";
+  expect_one_clear_sentence(run_program({"session", "resume", folder.path(), "pilot-009", "--yes"}), why, 1);
+  const ProgramResult listed = run_program({"session", "list", folder.path()});
+  EXPECT_NE(listed.out.find(why), std::string::npos) << listed.out;
+  expect_one_clear_sentence(run_program({"session", "withdraw", folder.path(), "pilot-009", "--yes"}), why,
+                            1);
+  const ProgramResult withdrawn = run_program({"session", "withdraw", folder.path(), "pilot-001", "--yes"});
+  EXPECT_NE(withdrawn.out.find("removed session pilot-001, which had no consent"), std::string::npos)
+      << withdrawn.out;
+  EXPECT_NE(withdrawn.out.find("pilot-009 holds a copy of the session"), std::string::npos) << withdrawn.out;
 }
 
 TEST(SessionCommand, EverySubcommandExplainsItselfWithAnExample) {

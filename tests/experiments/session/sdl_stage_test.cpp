@@ -140,6 +140,14 @@ TEST(SdlStage, ASpareControllerTakesOverWhenTheOneInUseIsUnplugged) {
   EXPECT_EQ(spare.rumbles(), 1);
 }
 
+TEST(SdlStage, OnlyASwapIntervalOfOneWaitsForTheDisplay) {
+  EXPECT_TRUE(waits_for_display("opengl", 1));
+  EXPECT_TRUE(waits_for_display("opengles2", 1));
+  EXPECT_FALSE(waits_for_display("opengl", 0));
+  EXPECT_FALSE(waits_for_display("opengl", -1)) << "late frames tear";
+  EXPECT_FALSE(waits_for_display("software", 1));
+}
+
 TEST(SdlStage, BeingToldToStopCountsAsClosingTheWindow) {
   ::setenv("SDL_AUDIODRIVER", "dummy", 1);
   const SdlLibrary sdl(SdlLibrary::Use::kHeadless);

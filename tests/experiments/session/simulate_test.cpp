@@ -113,8 +113,9 @@ TEST(Simulation, UnpluggingChoosesNothingAndCountsNoView) {
   EXPECT_EQ(simulated.events("unplugged"), 60);
   EXPECT_EQ(simulated.events("shown_again"), 60);
   EXPECT_EQ(simulated.events("choice"), 60);
-  // The pad is out for 0.8 s; what is measured ends with the poll after.
-  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 800'000) < 20'000; }),
+  // The pad is out for 0.8 s; then a quarter of a second of black, and frames of 17 ms for it to begin and
+  // end.
+  EXPECT_EQ(simulated.share([](const TrialRecord& t) { return std::abs(t.paused_us - 1'075'000) < 25'000; }),
             1);
   const Simulated calm(with(ObserverKind::kIdeal, 10));
   const auto views = [](const Simulated& s) {
@@ -162,6 +163,31 @@ TEST(Simulation, SessionsThatAreThereStayAndOthersAreRefused) {
               require_same_study(sessions, other, SessionMode::kSimulated);
             }).find("another version"),
             std::string::npos);
+}
+
+TEST(Simulation, OneDamagedSessionIsToldAndTheOthersGoOn) {
+  const Simulated simulated(with(ObserverKind::kIdeal, 3));
+  const fs::path study = simulated.folder.path() / "study", sessions = simulated.folder.path() / "sessions";
+  write_text_file(sessions / "simulated-002" / "session.db", std::string(8192, 'x'));
+  SimulationOptions options = with(ObserverKind::kIdeal, 4);
+  EXPECT_NE(message_of([&] { simulate_study(study, sessions, options); }).find("simulated-002"),
+            std::string::npos);
+  std::vector<std::string> unread;
+  options.on_unread = [&](const std::string& why) { unread.push_back(why); };
+  EXPECT_EQ(simulate_study(study, sessions, options).size(), 18u);
+  ASSERT_EQ(unread.size(), 1u);
+  EXPECT_NE(unread[0].find("simulated-002"), std::string::npos) << unread[0];
+  EXPECT_EQ(read_text_file(sessions / "simulated-002" / "session.db"), std::string(8192, 'x'));
+}
+
+TEST(Simulation, TheFolderOfPeoplesSessionsIsRefused) {
+  const TemporaryFolder folder;
+  write_tiny_study(folder.path());
+  EXPECT_NE(message_of([&] {
+              simulate_study(folder.path(), folder.path() / "." / "sessions", with(ObserverKind::kIdeal, 1));
+            }).find("is where the sessions of people go"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path() / "sessions"));
 }
 
 TEST(Simulation, AFolderOfOtherOptionsOrOfSomethingElseIsRefused) {

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <functional>
 #include <thread>
 
 #include "core/base/file.h"
@@ -91,6 +92,29 @@ TEST(Store, NoPseudonymIsGivenTwice) {
   EXPECT_EQ(next_number(sessions.path, SessionMode::kReal), 4) << "real-003 has left its consent";
 }
 
+TEST(Store, AnEmptyDatabaseOfASessionThatHadBegunIsDamagedAndItsLogStays) {
+  const Sessions sessions;
+  const fs::path folder = sessions.path / "real-001", database = folder / "session.db";
+  create_private_folder(folder);
+  create_private_file(database, "", Durability::kProcessEnd);
+  EXPECT_FALSE(holds_session(folder)) << "cut off while it was created";
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-001.json", "{}", Durability::kProcessEnd);
+  EXPECT_NE(message_of([&] { holds_session(folder); }).find("although"), std::string::npos);
+  EXPECT_NE(message_of([&] {
+              SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd);
+            }).find("session.db-wal"),
+            std::string::npos);
+  create_private_file(folder / "session.db-wal", "events", Durability::kProcessEnd);
+  for (const auto& attempt :
+       std::vector<std::function<void()>>{[&] { holds_session(folder); }, [&] { read_session(folder); },
+                                          [&] { SessionStore::open(folder, Durability::kProcessEnd); }}) {
+    const std::string message = message_of(attempt);
+    EXPECT_NE(message.find("is empty, although"), std::string::npos) << message;
+    EXPECT_EQ(read_text_file(folder / "session.db-wal"), "events");
+  }
+}
+
 TEST(Store, WhoWithdrawsIsRemovedAndLeavesOnlyThatThePseudonymIsTaken) {
   const Sessions sessions;
   { SessionStore::create(sessions.path, sessions.identity(1), Durability::kPowerCut); }
@@ -120,16 +144,110 @@ TEST(Store, FilesAppearWholeOrNotAtAll) {
   const Sessions sessions;
   create_private_folder(sessions.path);
   const fs::path file = sessions.path / "consent.json";
-  create_private_file(file.string() + ".partial", "half of an attempt that was cut off",
+  create_private_file(file.string() + ".abcdef.partial", "half of an attempt that was cut off",
                       Durability::kPowerCut);
   create_private_file(file, "whole", Durability::kPowerCut);
   EXPECT_EQ(read_text_file(file), "whole");
   EXPECT_EQ(mode_of(file), 0600u);
-  EXPECT_FALSE(fs::exists(file.string() + ".partial"));
+  EXPECT_TRUE(is_partial_of(file, file.string() + ".abcdef.partial"));
+  EXPECT_FALSE(is_partial_of(file, file));
+  remove_partial_files(file);
+  EXPECT_EQ(std::distance(fs::directory_iterator(sessions.path), {}), 1) << "nothing partial is left";
   EXPECT_NE(
       message_of([&] { create_private_file(file, "other", Durability::kPowerCut); }).find("File exists"),
       std::string::npos);
   EXPECT_EQ(read_text_file(file), "whole");
+}
+
+TEST(Store, ManyProgramsMayWantAFileAndOneWritesIt) {
+  const Sessions sessions;
+  create_private_folder(sessions.path);
+  std::atomic<int> refused = 0, other = 0;
+  std::vector<std::thread> writers;
+  for (int i = 0; i < 8; ++i)
+    writers.emplace_back([&] {
+      const std::string message = message_of([&] {
+        create_private_file(sessions.path / "file", std::string(100'000, 'x'), Durability::kPowerCut);
+      });
+      refused += message.find("File exists") != std::string::npos ? 1 : 0;
+      other += message.empty() || message.find("File exists") != std::string::npos ? 0 : 1;
+    });
+  for (std::thread& writer : writers) writer.join();
+  EXPECT_EQ(refused, 7);
+  EXPECT_EQ(other, 0);
+  EXPECT_EQ(read_text_file(sessions.path / "file"), std::string(100'000, 'x'));
+}
+
+TEST(Store, StationsThatStartAtTheSameTimeGetNumbersOfTheirOwn) {
+  const Sessions sessions;
+  std::atomic<int> failed = 0;
+  std::vector<std::thread> stations;
+  for (int i = 0; i < 6; ++i)
+    stations.emplace_back([&] {
+      const std::string message = message_of([&] {
+        create_next_session(sessions.path, sessions.study, SessionMode::kReal, Durability::kProcessEnd);
+      });
+      failed += message.empty() ? 0 : 1;
+    });
+  for (std::thread& station : stations) station.join();
+  EXPECT_EQ(failed, 0);
+  const auto folders = session_folders(sessions.path);
+  ASSERT_EQ(folders.size(), 6u);
+  for (const fs::path& folder : folders)
+    EXPECT_EQ(read_session(folder).identity.participant, folder.filename().string());
+}
+
+TEST(Store, TheBeginningOfASessionOfAnotherStationIsNotTakenOver) {
+  const Sessions sessions;
+  create_private_folder(sessions.path / "real-001");
+  const std::string message = message_of([&] {
+    SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd,
+                         SessionStore::CutOff::kRefuse);
+  });
+  EXPECT_NE(message.find("never overwritten"), std::string::npos) << message;
+  EXPECT_TRUE(fs::is_empty(sessions.path / "real-001"));
+}
+
+TEST(Store, CopiesAndRenamedFoldersAreNotGoneOnWith) {
+  const Sessions sessions;
+  { SessionStore::create(sessions.path, sessions.identity(1), Durability::kProcessEnd); }
+  fs::copy(sessions.path / "real-001", sessions.path / "real-009");
+  fs::copy(sessions.path / "real-001", sessions.path / "pilot-001");
+  for (const char* copy : {"real-009", "pilot-001"})
+    EXPECT_NE(message_of([&] {
+                SessionStore::open(sessions.path / copy, Durability::kProcessEnd);
+              }).find("holds the real session real-001 (number 1): a copy"),
+              std::string::npos)
+        << copy;
+  const auto unread = require_same_study(sessions.path, sessions.study, SessionMode::kReal);
+  ASSERT_EQ(unread.size(), 1u);
+  EXPECT_NE(unread[0].find("real-009 holds the real session real-001"), std::string::npos) << unread[0];
+  EXPECT_EQ(message_of([&] { SessionStore::open(sessions.path / "real-001", Durability::kProcessEnd); }), "");
+}
+
+TEST(Store, WithdrawingRemovesNobodyElseAndFollowsNoLinks) {
+  const Sessions sessions;
+  for (const int number : {1, 2})
+    SessionStore::create(sessions.path, sessions.identity(number), Durability::kProcessEnd);
+  fs::copy(sessions.path / "real-001", sessions.path / "real-009");
+  const auto message = [&](const char* who) {
+    return message_of([&] { withdraw_session(sessions.path, who); });
+  };
+  EXPECT_NE(message("real-009").find("holds the real session real-001"), std::string::npos);
+  EXPECT_TRUE(fs::exists(sessions.path / "real-009" / "session.db"));
+  fs::rename(sessions.path / "real-002", sessions.folder.path() / "elsewhere");
+  fs::create_directory_symlink(sessions.folder.path() / "elsewhere", sessions.path / "real-002");
+  EXPECT_NE(message("real-002").find("is a link"), std::string::npos) << message("real-002");
+  EXPECT_FALSE(is_withdrawn(sessions.path, "real-002"));
+  EXPECT_TRUE(fs::exists(sessions.path / "real-002" / "session.db"));
+  create_private_folder(sessions.path / "consent");
+  create_private_file(sessions.path / "consent" / "real-001.json.abcdef.partial", "a name",
+                      Durability::kProcessEnd);
+  const Withdrawal removed = withdraw_session(sessions.path, "real-001");
+  EXPECT_TRUE(removed.session);
+  EXPECT_FALSE(removed.consent);
+  EXPECT_EQ(removed.copies, std::vector{sessions.path / "real-009"});
+  EXPECT_TRUE(fs::is_empty(sessions.path / "consent"));
 }
 
 TEST(Store, RefusesASecondProgramButNotLaterOnes) {

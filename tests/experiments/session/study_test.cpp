@@ -125,6 +125,8 @@ TEST(Study, TheConsentOfTheExampleIsAPlaceholder) {
   EXPECT_TRUE(is_placeholder(study.consent)) << "the guardian's too";
   study.consent.guardian_text = "And for guardians.";
   EXPECT_FALSE(is_placeholder(study.consent));
+  study.consent.text = "Placeholder for the text of the board";
+  EXPECT_TRUE(is_placeholder(study.consent));
 }
 
 TEST(Plan, IsAPureFunctionOfStudyAndNumber) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+#include <string>
+
 #include "core/base/random.h"
 
 namespace plenolab {
@@ -160,7 +163,7 @@ TEST(TrialMachine, APauseBringsTheSameImageBackAfterABlankAndIgnoresPresses) {
   bench.wait(3'000'000);
   EXPECT_EQ(bench.press(Press::kChoose), PressOutcome::kPaused);
   const std::size_t before = bench.onsets.size();
-  bench.take(bench.machine.resume(bench.now_us));
+  bench.take(bench.machine.resume());
   EXPECT_EQ(bench.press(Press::kChoose), PressOutcome::kDuringBlank) << "bumpers held while plugging in";
   bench.wait(1'000'000);
   ASSERT_EQ(bench.onsets.size(), before + 2);
@@ -171,13 +174,105 @@ TEST(TrialMachine, APauseBringsTheSameImageBackAfterABlankAndIgnoresPresses) {
 TEST(TrialMachine, PausesAreTimedButNotThoseBeforeTheFirstFlip) {
   TrialMachine machine({});
   machine.pause(1'000);
-  machine.resume(2'000'000);
+  machine.resume();
   machine.flipped(2'100'000);
   EXPECT_EQ(machine.paused_us(), 0);
   machine.pause(3'000'000);
   machine.pause(3'500'000);  // Esc while unplugged
-  machine.resume(5'000'000);
+  machine.resume();
+  machine.flipped(5'000'000);
   EXPECT_EQ(machine.paused_us(), 2'000'000);
+}
+
+/// Waits until this is on; for a second at most.
+void wait_for(Bench& bench, Stimulus stimulus) {
+  const auto is_on = [&] { return bench.onsets.back().stimulus == stimulus; };
+  for (int frames = 0; frames < 60 && !is_on(); ++frames) bench.flip();
+  ASSERT_TRUE(is_on());
+}
+
+/// Response time of a trial in which `pause` may happen at any point, after which each image is looked at for
+/// more than a blank, before which presses are too soon.
+std::int64_t response_us(const std::function<void(Bench&, const char* place)>& pause) {
+  Bench bench;
+  bench.wait(300'000);
+  pause(bench, "waits");
+  bench.visit(Press::kReference);
+  pause(bench, "reference");
+  bench.wait(300'000);
+  EXPECT_EQ(bench.press(Press::kLeft), PressOutcome::kAccepted);
+  pause(bench, "black asked for");
+  bench.wait(100'000);
+  pause(bench, "blank");
+  wait_for(bench, Stimulus::kLeft);
+  bench.wait(500'000);
+  pause(bench, "left");
+  bench.wait(300'000);
+  bench.visit(Press::kRight);
+  EXPECT_EQ(bench.press(Press::kChoose), PressOutcome::kAccepted);
+  return bench.machine.chosen_at_us() - bench.machine.began_at_us() - bench.machine.paused_us();
+}
+
+TEST(TrialMachine, APauseAnywhereLeavesTheResponseTimeAsItIsWithoutOne) {
+  const std::int64_t whole_us = response_us([](Bench&, const char*) {});
+  for (const std::string where : {"reference", "black asked for", "blank", "left"}) {
+    const std::int64_t paused_us = response_us([&](Bench& bench, const char* place) {
+      if (place != where) return;
+      const Stimulus on = bench.onsets.back().stimulus;
+      bench.take(bench.machine.pause(bench.now_us));
+      bench.wait(3'000'000);
+      bench.take(bench.machine.resume());
+      bench.flip();
+      if (on == Stimulus::kBlack || where == "black asked for") return;
+      wait_for(bench, on);
+    });
+    EXPECT_NEAR(static_cast<double>(paused_us), static_cast<double>(whole_us), kFrame_us) << where;
+  }
+}
+
+TEST(TrialMachine, OnlyAnImageThatWasOnReturnsAndIsNoNewView) {
+  Bench bench;
+  const auto pause = [&] {
+    bench.take(bench.machine.pause(bench.now_us));
+    bench.wait(400'000);
+    bench.take(bench.machine.resume());
+    bench.wait(2 * kBlank_us + 5 * kFrame_us);
+  };
+  const auto last = [&] { return bench.onsets.back(); };
+  bench.wait(300'000);
+  pause();  // on the black before the reference
+  bench.visit(Press::kReference);
+  EXPECT_EQ(last().stimulus, Stimulus::kReference);
+  EXPECT_FALSE(last().again);
+  ASSERT_EQ(bench.press(Press::kLeft), PressOutcome::kAccepted);
+  bench.wait(100'000);
+  pause();  // during the blank before it
+  EXPECT_EQ(last().stimulus, Stimulus::kLeft);
+  EXPECT_FALSE(last().again);
+  pause();
+  EXPECT_EQ(last().stimulus, Stimulus::kLeft);
+  EXPECT_TRUE(last().again);
+  bench.visit(Press::kRight);
+  EXPECT_FALSE(last().again);
+  bench.take(bench.machine.pause(bench.now_us));
+  bench.take(bench.machine.resume());
+  bench.wait(100'000);
+  pause();  // while it returns
+  EXPECT_EQ(last().stimulus, Stimulus::kRight);
+  EXPECT_TRUE(last().again);
+}
+
+TEST(TrialMachine, AnImageThatWasAskedForButNeverOnIsNewAfterAPause) {
+  Bench bench;
+  bench.wait(300'000);
+  ASSERT_EQ(bench.press(Press::kReference), PressOutcome::kAccepted);
+  bench.now_us += kFrame_us;
+  ASSERT_EQ(bench.machine.flipped(bench.now_us).show, Stimulus::kReference);
+  bench.machine.pause(bench.now_us);
+  bench.machine.resume();
+  bench.wait(500'000);
+  EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kReference);
+  EXPECT_FALSE(bench.onsets.back().again);
 }
 
 TEST(TrialMachine, APauseDuringABlankKeepsTheImageThatWasToCome) {
@@ -189,7 +284,7 @@ TEST(TrialMachine, APauseDuringABlankKeepsTheImageThatWasToCome) {
   bench.machine.pause(bench.now_us);
   bench.machine.pause(bench.now_us);  // Esc while unplugged
   bench.wait(500'000);
-  bench.machine.resume(bench.now_us);
+  bench.machine.resume();
   bench.wait(500'000);
   EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kRight);
 }
@@ -198,7 +293,7 @@ TEST(TrialMachine, APauseBeforeTheTrialBeganLeavesItWaiting) {
   Bench bench;
   bench.wait(100'000);
   bench.machine.pause(bench.now_us);
-  bench.machine.resume(bench.now_us);
+  bench.machine.resume();
   bench.wait(1'000'000);
   EXPECT_EQ(bench.onsets.back().stimulus, Stimulus::kBlack);
   bench.visit(Press::kReference);
@@ -216,7 +311,7 @@ TEST(TrialMachine, HoldsItsPromisesUnderAnyPresses) {
       const double what = random.next_double();
       if (what < 0.05) bench.press(static_cast<Press>(random.next_u64() % 4));
       if (what > 0.998) bench.machine.pause(bench.now_us);
-      if (bench.machine.paused() && what > 0.5 && what < 0.6) bench.machine.resume(bench.now_us);
+      if (bench.machine.paused() && what > 0.5 && what < 0.6) bench.machine.resume();
     }
     bool left = false, right = false;
     for (const Onset& shown : bench.onsets) {

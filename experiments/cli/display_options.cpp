@@ -1,0 +1,124 @@
+#include "experiments/cli/display_options.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "core/base/error.h"
+#include "core/luminance/display_folder.h"
+#include "core/luminance/lens_array_display.h"
+#include "core/luminance/multi_view_display.h"
+#include "experiments/cli/checks.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/suggest.h"
+#include "stimuli/scenes/table.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int kPixelsPerLens = 8, kViews = 9;
+
+DisplayPreset preset_of(const std::string& name) {
+  if (name == "quick") return DisplayPreset::kQuick;
+  if (name == "small") return DisplayPreset::kSmall;
+  return name == "full" ? DisplayPreset::kFull : DisplayPreset::kPaper;
+}
+
+LensArrayDisplayOptions lens_array(const std::string& kind, const ProjectorDisplayOptions& size) {
+  using Kind = LensArrayDisplayOptions::Kind;
+  LensArrayDisplayOptions options{
+      .width = kPixelsPerLens * size.width, .height = size.height, .lenses_across = size.width};
+  if (kind == "barrier") options.kind = Kind::kParallaxBarrier;
+  if (kind == "full-parallax") {
+    options.kind = Kind::kFullParallax;
+    options.space.y_min_m = -0.3;
+    options.space.y_max_m = 0.3;
+    options.height = kPixelsPerLens * size.height;
+    options.lenses_down = size.height;
+  }
+  return options;
+}
+
+std::vector<std::string> scene_names() {
+  std::vector<std::string> names;
+  for (const LitSceneEntry& entry : display_scenes()) names.emplace_back(entry.id);
+  return names;
+}
+
+/// The cameras of the middle row as views, as far apart as they stood.
+ShownField views_of(const LightField& field, int threads) {
+  const ViewGrid& grid = field.grid();
+  const double half = grid.columns * grid.spacing_x_m / 2;
+  MultiViewDisplayOptions options{.views = grid.columns, .width = grid.width, .height = grid.height};
+  options.space.x_min_m = -half;
+  options.space.x_max_m = half;
+  auto display = std::make_shared<const MultiViewDisplay>(options);
+  SceneRays rays(display->size());
+  for (int column = 0; column < grid.columns; ++column)
+    set_image(rays, column, field.view(column, grid.rows / 2)->colour);
+  return show_rays(field.name(), std::move(display), std::move(rays), threads);
+}
+
+}  // namespace
+
+void add_display_options(CLI::App& app, DisplayOptions& options) {
+  app.add_option("--display", options.kind, "Display that a scene is rendered for")
+      ->check(one_of({"projectors", "multi-view", "lenticular", "barrier", "full-parallax"}))
+      ->capture_default_str();
+  app.add_option("--preset", options.preset,
+                 "Size of the display: quick (24 projectors, 160 x 90 px), small (96, 160 x 90), full (96, "
+                 "640 x 360), paper (96, 1280 x 720)")
+      ->check(one_of({"quick", "small", "full", "paper"}))
+      ->capture_default_str();
+  app.add_option("--samples", options.samples,
+                 "Samples along the observers' line (default for projectors: 200, for full and paper 1000)")
+      ->check(whole_number(1, 1'000'000));
+}
+
+std::shared_ptr<const RayDisplay> make_display(const DisplayOptions& options) {
+  const ProjectorDisplayOptions size = projector_display_options(preset_of(options.preset));
+  if (options.kind == "projectors") return std::make_shared<const ProjectorDisplay>(size);
+  if (options.kind == "multi-view")
+    return std::make_shared<const MultiViewDisplay>(
+        MultiViewDisplayOptions{.views = kViews, .width = size.width, .height = size.height});
+  return std::make_shared<const LensArrayDisplay>(lens_array(options.kind, size));
+}
+
+ObserverSamples observer_samples(const RayDisplay& display, const DisplayOptions& options) {
+  if (options.samples > 0) return samples_of(display, options.samples);
+  if (dynamic_cast<const LensArrayDisplay*>(&display)) return samples_of(display, kPixelsPerLens);
+  if (dynamic_cast<const MultiViewDisplay*>(&display)) return samples_of(display, display.size().images);
+  // About 50 columns of rays a sample: fewer make accumulation noisy.
+  return samples_of(display, display.size().width < 400 ? 200 : 1000);
+}
+
+void require_field_source(const std::string& source, const DisplayOptions& options) {
+  const std::vector<std::string> names = scene_names();
+  const bool scene = std::find(names.begin(), names.end(), source) != names.end();
+  if (!scene && !fs::exists(source)) {
+    if (fs::path(source).has_parent_path()) throw InputError(fmt::format("{} does not exist", source));
+    throw UsageError(fmt::format("there is no scene '{}' for displays{} (there are: {})", source,
+                                 did_you_mean(source, names), fmt::join(names, ", ")));
+  }
+  if (!scene && options.kind != "projectors")
+    throw UsageError("--display is for scenes: a folder brings its own display");
+}
+
+ShownField open_field(const std::string& source, const DisplayOptions& options,
+                      const RayRendering& rendering) {
+  const std::vector<std::string> names = scene_names();
+  if (std::find(names.begin(), names.end(), source) != names.end())
+    return show_scene(build_display_scene(source), make_display(options), rendering);
+  if (is_display_folder(source)) {
+    DisplayFolder folder = read_display_folder(source);
+    return show_rays(source, std::make_shared<const ProjectorDisplay>(folder.display), std::move(folder.rays),
+                     rendering.threads);
+  }
+  return views_of(open_radiance(source), rendering.threads);
+}
+
+}  // namespace plenolab
