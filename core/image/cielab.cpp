@@ -60,4 +60,8 @@ Rgb display_of_lab(CieLab colour) {
   return {encoded(linear[0]), encoded(linear[1]), encoded(linear[2])};
 }
 
+double delta_e(const CieLab& a, const CieLab& b) {
+  return std::hypot(a.l - b.l, a.a - b.a, a.b - b.b);
+}
+
 }  // namespace plenolab

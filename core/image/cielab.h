@@ -16,4 +16,7 @@ CieLab lab_of_display(Rgb encoded);
 /// The inverse. Colours that no display of BT.709 shows leave [0, 1]; negative light counts as 0.
 Rgb display_of_lab(CieLab colour);
 
+/// ΔE*ab of CIE 1976: the distance of two colours.
+double delta_e(const CieLab& a, const CieLab& b);
+
 }  // namespace plenolab

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <vector>
 
@@ -160,13 +161,14 @@ ColourTransfer transfer_colours(const DisplayImage& source, const DisplayImage& 
   const Colours wanted = sampled(target, options.samples);
   Colours moved = sampled(source, options.samples);
   const double before = distance_between(moved, wanted);
-  std::vector<Step> steps;
+  const auto steps = std::make_shared<std::vector<Step>>();
   for (int i = 0; i < options.iterations; ++i) {
-    steps.push_back(fit_step(moved, wanted, options, i));
-    for (Vector& colour : moved) colour = steps.back()(colour);
+    steps->push_back(fit_step(moved, wanted, options, i));
+    for (Vector& colour : moved) colour = steps->back()(colour);
   }
   ColourTransfer transfer;
-  transfer.lut = bake_lut(options.size, [&](Rgb c) { return replay(steps, options.amount, c); });
+  transfer.exact = [steps, amount = options.amount](Rgb c) { return replay(*steps, amount, c); };
+  transfer.lut = bake_lut(options.size, transfer.exact);
   transfer.distance_before = before;
   Colours graded = sampled(source, options.samples);
   for (std::size_t i = 0; i < graded.size(); ++i) {

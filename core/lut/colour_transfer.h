@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "core/image/image.h"
 #include "core/lut/lut.h"
@@ -26,6 +27,9 @@ struct ColourTransferOptions {
 
 struct ColourTransfer {
   Lut lut;
+  /// The transfer of one encoded colour itself, of which the table holds the nodes: all maps replayed. Pure;
+  /// may be called from many threads.
+  std::function<Rgb(Rgb)> exact;
   /// Sliced Wasserstein distance of the sampled colours in CIELAB units before and after: mean over 32 fixed
   /// directions of the mean difference of equal quantiles.
   double distance_before = 0, distance_after = 0;
