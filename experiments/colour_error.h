@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/image/image.h"
+#include "core/image/cielab.h"
 
 namespace plenolab {
 
@@ -9,7 +9,11 @@ struct ColourError {
   double mean = 0, largest = 0;
 };
 
+/// The colours of a picture.
+Plane<CieLab> lab_of(const DisplayImage& picture, int threads = 0);
+
 /// Pixel by pixel. Pictures must have equal sizes and at least one pixel.
+ColourError colour_error(const Plane<CieLab>& test, const Plane<CieLab>& reference);
 ColourError colour_error(const DisplayImage& test, const DisplayImage& reference, int threads = 0);
 
 }  // namespace plenolab

@@ -224,15 +224,15 @@ void add_park(Objects& objects) {
 /// Blue with veils of cloud, paler towards the horizon.
 Rgb daylight(const Vec3& direction) {
   const float height = std::max(0.0f, direction.z());
-  const Rgb clear = mix({300, 330, 360}, {90, 150, 290}, std::min(1.0f, 2 * height));
+  const Rgb clear = mix({230, 255, 285}, {80, 135, 265}, std::min(1.0f, 2 * height));
   const float cloud = smooth_step(0.05f, 0.6f, fractal_noise(direction * 3, 4, 61));
-  return mix(clear, {340, 335, 330}, 0.7f * cloud);
+  return mix(clear, {300, 296, 290}, 0.7f * cloud);
 }
 
 void add_lights(LitScene& lit) {
   for (int i = 0; i < 4; ++i)
-    lit.points.push_back({{0, 1.9f + 2.2f * static_cast<float>(i), 2.8f}, Rgb{95, 105, 115}});
-  lit.points.push_back({{0, 16.5f, 3.8f}, {900, 690, 420}});
+    lit.points.push_back({{0, 1.9f + 2.2f * static_cast<float>(i), 2.8f}, Rgb{190, 210, 230}});
+  lit.points.push_back({{0, 16.5f, 3.8f}, {2100, 1600, 980}});
   lit.directions.push_back({Vec3(0.45f, -0.55f, 0.70f).normalized(), {1300, 1200, 1000}});
   lit.scene.sky = {.kind = Sky::Kind::kUniform, .zenith_cd_m2 = {24, 28, 36}, .ground_cd_m2 = {14, 13, 10}};
   lit.environment = daylight;
@@ -253,7 +253,7 @@ WalkScene build_walk_scene() {
   walk.lit.scene.title = "Walk";
   walk.lit.scene.description = "A corridor, a hall and a garden house in a park, to be walked through.";
   add_lights(walk.lit);
-  walk.rooms = {{{"corridor", {-2, -0.6f, -0.25f}, {2, kCorridorEnd_m, 3.4f}},
+  walk.rooms = {{{"corridor", {-2, -0.6f, -0.25f}, {2, kCorridorEnd_m + 0.1f, 3.4f}},
                  {"hall",
                   {-kHallSide_m - 0.4f, kHallFront_m - 0.1f, -0.25f},
                   {kHallSide_m + 0.4f, kHallBack_m + 0.1f, 5.4f}},

@@ -50,18 +50,35 @@ std::vector<std::size_t> inside_frames(WalkBench& bench) {
   return frames;
 }
 
+ReportPlot gain_plot(WalkBench& bench) {
+  Plot plot;
+  plot.x = {.title = "Frame of the walk"};
+  plot.y = {.title = "ΔE*ab of linear less pixel-based"};
+  plot.key = KeyPosition::kOutside;
+  for (const GradeReference reference :
+       {GradeReference::kAhead, GradeReference::kMost, GradeReference::kByObject}) {
+    PlotSeries series{fmt::format("to {}", name_of(reference)), PlotSeries::Style::kLinesPoints, {}};
+    const std::vector<double> gain = gains(bench, reference, all_frames(bench));
+    for (std::size_t i = 0; i < gain.size(); ++i) series.points.push_back({static_cast<double>(i), gain[i]});
+    plot.series.push_back(std::move(series));
+  }
+  return {plot, "Gain of pixel-based over linear blending over the walk; above 0 pixel-based is closer",
+          "Difference of both errors over the frames, for three references."};
+}
+
 void add_table(ReproductionResult& result, WalkBench& bench) {
   ReportTable table{"Mean ΔE*ab by reference and part of the walk",
                     {"reference", "frames", "number", "linear", "pixel-based"},
                     {},
                     3};
-  const std::array parts{std::pair{"all", all_frames(bench)},
-                         {"turning between volumes", turning_frames(bench)},
-                         {"camera in a volume", inside_frames(bench)}};
+  const std::vector<std::pair<std::string, std::vector<std::size_t>>> parts{
+      {"all", all_frames(bench)},
+      {"turning between volumes", turning_frames(bench)},
+      {"camera in a volume", inside_frames(bench)}};
   for (std::size_t r = 0; r < kGradeReferences; ++r)
     for (const auto& part : parts) {
       const auto reference = static_cast<GradeReference>(r);
-      std::vector<Cell> row{std::string(name_of(reference)), std::string(part.first),
+      std::vector<Cell> row{std::string(name_of(reference)), part.first,
                             static_cast<long long>(part.second.size())};
       for (const BlendMethod method : {BlendMethod::kLinear, BlendMethod::kPixel}) {
         const double error = mean_error(bench, method, reference, part.second);
@@ -70,7 +87,7 @@ void add_table(ReproductionResult& result, WalkBench& bench) {
                          error,
                          "1",
                          {{"reference", std::string(name_of(reference))},
-                          {"frames", std::string(part.first)},
+                          {"frames", part.first},
                           {"method", std::string(name_of(method))}}});
       }
       table.rows.push_back(std::move(row));
@@ -107,15 +124,20 @@ ReproductionResult reproduce_claim_z4(Laboratory& laboratory) {
   result.ours_shows =
       fmt::format("Gain of pixel-based over linear blending in mean ΔE*ab over {} frames, by reference: {}.",
                   bench.frames().size(), shown);
+  const std::vector<std::size_t> inside = inside_frames(bench);
+  const auto inside_error = [&](BlendMethod method) {
+    return mean_error(bench, method, GradeReference::kByObject, inside);
+  };
   result.differs = fmt::format(
-      "{}. Where the camera stands in a volume the linear method shows that volume's table unmixed, which is "
-      "right as long as the walker looks ahead within it; the pixel-based one mixes in whatever else is in "
-      "sight. Between volumes only the pixel-based one knows where the walker looks.",
-      outcomes);
+      "{}. Two things favour the pixel-based blend: the volume ahead is judged from the same pixels, and its "
+      "table is the mean of the tables of the image mixed by pixel. How much is gained depends on the walk: "
+      "with the camera in a volume, where the linear method shows that volume's table unmixed, the "
+      "difference "
+      "to the image mixed by object is {:.2f} (linear) and {:.2f} (pixel-based). Between volumes only the "
+      "pixel-based blend knows where the walker looks.",
+      outcomes, inside_error(BlendMethod::kLinear), inside_error(BlendMethod::kPixel));
   add_table(result, bench);
-  result.add_plot("error-over-the-walk",
-                  walk_error_plot(bench, {GradeReference::kAhead, GradeReference::kByObject},
-                                  "Difference to two references over the walk"));
+  result.add_plot("gain-over-the-walk", gain_plot(bench));
   return result;
 }
 

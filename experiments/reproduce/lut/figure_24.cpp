@@ -19,9 +19,11 @@ double share(const VolumeWeights& weights, std::size_t index) {
 
 Plot map_of(WalkBench& bench) {
   Plot plot;
-  plot.x = {.title = "x", .unit = "m"};
-  plot.y = {.title = "y", .unit = "m"};
+  // Equal scales along both axes beside the key.
+  plot.x = {.title = "x", .unit = "m", .minimum = -8, .maximum = 20};
+  plot.y = {.title = "y", .unit = "m", .minimum = -2, .maximum = 24};
   plot.key = KeyPosition::kOutside;
+  plot.height_px = 480;
   for (const Volume& v : bench.stage().volumes())
     plot.series.push_back({v.name,
                            PlotSeries::Style::kLines,
@@ -31,12 +33,17 @@ Plot map_of(WalkBench& bench) {
                             {v.min[0], v.max[1]},
                             {v.min[0], v.min[1]}}});
   PlotSeries path{"walk, with frame numbers", PlotSeries::Style::kLinesPoints, {}};
-  const Point3* last = nullptr;
+  const auto apart_m = [](const Point3& a, const Point3* b) {
+    return b ? std::hypot(a[0] - (*b)[0], a[1] - (*b)[1]) : 1e9;
+  };
+  const Point3 *last = nullptr, *labelled = nullptr;
   for (std::size_t i = 0; i < bench.frames().size(); ++i) {
     const Point3& p = bench.frames()[i].pose.camera.position_m;
-    const bool stands = last && std::hypot(p[0] - (*last)[0], p[1] - (*last)[1]) < 0.01;
-    if (!stands) path.points.push_back({p[0], p[1], {}, {}, i % 4 == 0 ? std::to_string(i) : ""});
+    if (apart_m(p, last) < 0.01) continue;
+    const bool label = apart_m(p, labelled) > 2;
+    path.points.push_back({p[0], p[1], {}, {}, label ? std::to_string(i) : ""});
     last = &p;
+    if (label) labelled = &p;
   }
   plot.series.push_back(std::move(path));
   return plot;

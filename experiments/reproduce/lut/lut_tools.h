@@ -6,6 +6,7 @@
 
 #include "experiments/reproduce/lut/walk_bench.h"
 #include "experiments/reproduce/reproduction.h"
+#include "experiments/score.h"
 
 namespace plenolab {
 

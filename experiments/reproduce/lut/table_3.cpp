@@ -25,15 +25,15 @@ struct PrintedTime {
   int divisor;
   double low_s, high_s;
 };
-constexpr std::array kPrinted{PrintedTime{"CPU", 1, 0.2187, 0.2187},
-                              {"CPU", 2, 0.035, 0.045},
-                              {"CPU", 4, 0.008, 0.012},
-                              PrintedTime{"CPU", 8, 0.0038, 0.0067},
-                              {"GPU", 1, 0.005, 0.0062},
-                              {"GPU", 2, 0.004, 0.006},
-                              PrintedTime{"GPU", 4, 0.003, 0.006},
-                              {"GPU", 8, 0.003, 0.005},
-                              PrintedTime{"mixed image", 1, 0.2087, 0.2264}};
+constexpr std::array<PrintedTime, 9> kPrinted{{{"CPU", 1, 0.2187, 0.2187},
+                                               {"CPU", 2, 0.035, 0.045},
+                                               {"CPU", 4, 0.008, 0.012},
+                                               {"CPU", 8, 0.0038, 0.0067},
+                                               {"GPU", 1, 0.005, 0.0062},
+                                               {"GPU", 2, 0.004, 0.006},
+                                               {"GPU", 4, 0.003, 0.006},
+                                               {"GPU", 8, 0.003, 0.005},
+                                               {"mixed image", 1, 0.2087, 0.2264}}};
 constexpr std::array kDivisors{1, 2, 4, 8};
 
 std::optional<PrintedTime> printed(const std::string& method, int divisor) {
@@ -192,7 +192,7 @@ void add_time_rows(ReproductionResult& result, const std::vector<Timed>& times) 
 
 Plot time_plot(const WalkFrame& frame, const std::vector<Timed>& times) {
   Plot plot;
-  plot.x = {.title = "Pixels counted", .unit = "", .logarithmic = true};
+  plot.x = {.title = "Pixels counted", .unit = "", .logarithmic = true, .minimum = 1e3, .maximum = 1e7};
   plot.y = {.title = "Time a frame", .unit = "ms", .logarithmic = true};
   plot.key = KeyPosition::kOutside;
   const auto pixels = [&](int divisor) {
@@ -252,13 +252,14 @@ ReproductionResult reproduce_counting_times(Laboratory& laboratory) {
       "image takes {:.0f} ms, {:.1f} times as long as counting, blending and grading together ({:.1f} ms).",
       frame.depth_m.width(), frame.depth_m.height(), 1000 * loop, 1000 * fast, 1000 * mixed,
       mixed / (fast + after), 1000 * (fast + after));
+  const double saved = fast - seconds_of(times, "vectorised, all threads", 8);
   result.differs = fmt::format(
       "Machines and languages differ (a script of a game engine on a Core i7-4770K there), so that ratios "
       "count. Vectorised counting at full resolution {} than the printed times of the GPU, and down-scaling, "
-      "which costs up to {:.3f}, {:.3f} and {:.3f} of a weight at ½, ¼ and ⅛ on our walk, saves less than "
-      "the "
+      "which costs up to {:.3f}, {:.3f} and {:.3f} of a weight at ½, ¼ and ⅛ on our walk, saves {} than the "
       "grading costs that follows anyway.",
-      fast < printed("GPU", 1)->low_s ? "is faster" : "is not faster", errors[0], errors[1], errors[2]);
+      fast < printed("GPU", 1)->low_s ? "is faster" : "is not faster", errors[0], errors[1], errors[2],
+      saved < after ? "less" : "more");
   result.add_plot("time-over-pixels", {time_plot(frame, times), "Time of counting over the number of pixels",
                                        "Printed and own times over pixels on logarithmic axes."});
   return result;

@@ -147,13 +147,16 @@ WalkBench::Score WalkBench::score(std::size_t frame) {
 const std::vector<WalkBench::Score>& WalkBench::scores() {
   if (!scores_.empty()) return scores_;
   for (std::size_t i = 0; i < frames().size(); ++i) scores_.push_back(score(i));
-  for (std::size_t i = 0; i < frames_.size(); ++i)
+  for (std::size_t i = 0; i < frames_.size(); ++i) {
+    std::array<Plane<CieLab>, kBlendMethods> blends;
+    for (std::size_t m = 0; m < kBlendMethods; ++m)
+      blends[m] = lab_of(graded(i, static_cast<BlendMethod>(m)), options_.threads);
     for (std::size_t r = 0; r < kGradeReferences; ++r) {
-      const DisplayImage wanted = reference(i, static_cast<GradeReference>(r));
+      const Plane<CieLab> wanted = lab_of(reference(i, static_cast<GradeReference>(r)), options_.threads);
       for (std::size_t m = 0; m < kBlendMethods; ++m)
-        scores_[i].error[m][r] =
-            colour_error(graded(i, static_cast<BlendMethod>(m)), wanted, options_.threads).mean;
+        scores_[i].error[m][r] = colour_error(blends[m], wanted).mean;
     }
+  }
   return scores_;
 }
 

@@ -33,8 +33,8 @@ constexpr std::array kCodings{
 struct Band {
   double from_cd_m2, to_cd_m2;
 };
-constexpr std::array kBands{Band{0, 0.01}, {0.01, 0.1}, {0.1, 1},     {1, 10},
-                            {10, 100},     {100, 1000}, {1000, 10000}};
+constexpr std::array<Band, 7> kBands{
+    {{0, 0.01}, {0.01, 0.1}, {0.1, 1}, {1, 10}, {10, 100}, {100, 1000}, {1000, 10000}}};
 
 double codes_in(const Coding& coding, const Band& band) {
   return coding.code(std::min(band.to_cd_m2, coding.peak_cd_m2)) -
