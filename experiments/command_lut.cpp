@@ -17,6 +17,7 @@ void add_lut_command(CLI::App& app, const Invocation& invocation) {
   add("blend", "Weighted sum of tables", add_lut_blend);
   add("transfer", "Table that gives a picture the colours of another", add_lut_transfer);
   add("frame", "Table of a frame from post-processing volumes and what the camera sees", add_lut_frame);
+  add("walk", "A scene with three volumes to try this on: frames, depth, tables and volumes", add_lut_walk);
   app.footer(
       "Example: plenolab lut apply warm.cube frame.png -o graded.png\n"
       "'plenolab lut WHAT --help' explains each of them and gives an example.");

@@ -111,6 +111,14 @@ WalkFrame WalkStage::surfaces(const WalkPose& pose, int width, int height, int t
   return {pose, {}, {}, std::move(view.depth_m), std::move(view.material)};
 }
 
+std::size_t frame_that_shows_most(const WalkStage& stage, const std::vector<WalkFrame>& frames, int volume) {
+  const auto pixels = [&](const WalkFrame& frame) {
+    const VolumeCounts counts = count_pixels(frame.depth_m, frame.pose.camera, stage.volumes());
+    return volume < 0 ? counts.background : counts.volumes[static_cast<std::size_t>(volume)];
+  };
+  return static_cast<std::size_t>(std::ranges::max_element(frames, {}, pixels) - frames.begin());
+}
+
 DisplayImage walk_palette(int index, int width, int height) {
   const Mood& mood = kMoods.at(static_cast<std::size_t>(index));
   DisplayImage palette(width, height);

@@ -52,6 +52,9 @@ class WalkStage {
   std::vector<Volume> volumes_;
 };
 
+/// Index of the frame in which most pixels show a volume, −1: the background. At least one frame.
+std::size_t frame_that_shows_most(const WalkStage& stage, const std::vector<WalkFrame>& frames, int volume);
+
 /// A look: the table of a volume and how it was made, by transferring the colours of a painted palette to a
 /// picture of the walk.
 struct WalkLook {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -59,6 +60,24 @@ VolumeScene parse_volumes(std::string_view json, const std::string& name) {
     }
   }
   return scene;
+}
+
+std::string volumes_text(const VolumeScene& scene) {
+  PLENOLAB_CHECK(scene.volumes.size() == scene.tables.size(), "one table for each volume");
+  nlohmann::ordered_json document{{"format", "plenolab-volumes"}, {"version", 1}};
+  if (!scene.background.empty()) document["background"] = scene.background;
+  document["volumes"] = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < scene.volumes.size(); ++i) {
+    const Volume& volume = scene.volumes[i];
+    volume.validate();
+    document["volumes"].push_back({{"name", volume.name},
+                                   {"min", volume.min},
+                                   {"max", volume.max},
+                                   {"blend_radius_m", volume.blend_radius_m},
+                                   {"weight", volume.weight},
+                                   {"lut", scene.tables[i]}});
+  }
+  return document.dump(2) + "\n";
 }
 
 LoadedVolumes read_volumes(const std::filesystem::path& path) {

@@ -27,6 +27,9 @@ struct VolumeScene {
 /// Throws InputError in one sentence with file and key for anything that is not as above; unknown keys too.
 VolumeScene parse_volumes(std::string_view json, const std::string& name);
 
+/// The file's text, which parse_volumes reads back. Throws InputError for invalid volumes.
+std::string volumes_text(const VolumeScene& scene);
+
 /// Volumes with their tables read.
 struct LoadedVolumes {
   std::vector<Volume> volumes;

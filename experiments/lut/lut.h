@@ -21,6 +21,7 @@ void add_lut_apply(CLI::App& app, const Invocation& invocation);
 void add_lut_blend(CLI::App& app, const Invocation& invocation);
 void add_lut_transfer(CLI::App& app, const Invocation& invocation);
 void add_lut_frame(CLI::App& app, const Invocation& invocation);
+void add_lut_walk(CLI::App& app, const Invocation& invocation);
 
 /// Declares --interpolation.
 void add_interpolation_option(CLI::App& app, std::string& interpolation);

@@ -43,7 +43,7 @@ class LutCommand : public testing::Test {
 };
 
 TEST_F(LutCommand, EverySubcommandExplainsItselfWithAnExample) {
-  for (const std::string name : {"info", "convert", "apply", "blend", "transfer", "frame"}) {
+  for (const std::string name : {"info", "convert", "apply", "blend", "transfer", "frame", "walk"}) {
     const ProgramResult result = run_program({"lut", name, "--help"});
     EXPECT_EQ(result.status, 0) << name;
     EXPECT_NE(result.out.find("Example: plenolab lut " + name), std::string::npos) << name;
@@ -116,6 +116,32 @@ TEST_F(LutCommand, WrongUseAndBadFilesAreToldApartAndLeaveNothing) {
   EXPECT_EQ(run({"lut", "convert", "identity", "--size", "300", "-o", path("x.cube")}).status, 2);
   EXPECT_FALSE(fs::exists(path("x.png")));
   EXPECT_FALSE(fs::exists(path("x.cube")));
+}
+
+TEST_F(LutCommand, TheSweepGivesErrorAgainstTimeOfTablesForAPicture) {
+  const std::vector<std::string> sweep{"sweep", "lut", path("picture.png"), "--runs",
+                                       "1",     "-o",  path("sweep")};
+  const double none = value_of(sweep, "mean_delta_e", "interpolation", "none"),
+               coarse = value_of(sweep, "mean_delta_e", "interpolation", "tetrahedral");
+  EXPECT_EQ(none, 0);
+  EXPECT_GT(coarse, 0);
+  EXPECT_TRUE(fs::exists(path("sweep/sweep-picture.svg")));
+  EXPECT_EQ(run_program({"sweep", "lut", path("absent.png")}).status, 1);
+}
+
+TEST_F(LutCommand, FramesOfTheWalkAreWhatTheCommandForOneFrameMakesOfThem) {
+  const std::vector<std::string> walk{"lut", "walk",      "--width", "64", "--height",
+                                      "36",  "--density", "0.1",     "-o", path("walk")};
+  const double weight = value_of(walk, "blend_weight", "method", "pixel");
+  EXPECT_NEAR(value_of({"lut", "frame", path("walk/volumes.json"), "--depth", path("walk/frame-00.exr"),
+                        "--camera", "0,2,1.65", "--fov", "75", "--image", path("walk/frame-00.png"),
+                        "--graded", path("graded.png")},
+                       "blend_weight", "volume", "corridor"),
+              weight, 1e-9);
+  EXPECT_EQ(read_display_image(path("graded.png")).width(), 64);
+  const DisplayImage a = read_display_image(path("graded.png")),
+                     b = read_display_image(path("walk/frame-00-pixel.png"));
+  for (std::size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(a.pixels()[i].g, b.pixels()[i].g, 0.02);
 }
 
 }  // namespace

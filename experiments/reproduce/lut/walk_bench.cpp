@@ -81,13 +81,9 @@ const std::vector<WalkLook>& WalkBench::looks() {
   if (!looks_.empty()) return looks_;
   frames();
   for (int look = 0; look < kWalkLooks; ++look) {
-    const auto pixels = [&](const VolumeCounts& counts) {
-      const auto v = static_cast<std::size_t>(look);
-      return v < counts.volumes.size() ? counts.volumes[v] : counts.background;
-    };
-    const auto best = std::ranges::max_element(counts_, {}, pixels) - counts_.begin();
-    looks_.push_back(make_walk_look(look, frames_[static_cast<std::size_t>(best)].picture, kDefaultLutSize,
-                                    options_.seed));
+    const int volume = look < kWalkLooks - 1 ? look : -1;
+    const std::size_t source = frame_that_shows_most(stage_, frames_, volume);
+    looks_.push_back(make_walk_look(look, frames_[source].picture, kDefaultLutSize, options_.seed));
   }
   return looks_;
 }

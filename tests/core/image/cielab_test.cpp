@@ -40,5 +40,11 @@ TEST(CieLab, WhiteAndGreysAreNeutralAndEverythingComesBack) {
   }
 }
 
+TEST(CieLab, TheDifferenceOfColoursIsTheirDistance) {
+  EXPECT_DOUBLE_EQ(delta_e({50, 2, 3}, {50, 2, 3}), 0);
+  EXPECT_DOUBLE_EQ(delta_e({50, 0, 0}, {52, 3, -6}), 7);
+  EXPECT_NEAR(delta_e(lab_of_display({0, 0, 0}), lab_of_display({1, 1, 1})), 100, 1e-9);
+}
+
 }  // namespace
 }  // namespace plenolab

@@ -34,6 +34,16 @@ TEST(ColourTransfer, BringsTheColoursOfOnePictureToThoseOfTheOther) {
   EXPECT_LT(transfer.distance_after, 0.05 * transfer.distance_before);
 }
 
+TEST(ColourTransfer, TheTableHoldsTheTransferItselfAtItsNodes) {
+  const ColourTransfer transfer =
+      transfer_colours(picture(1, {0.3f, 0.4f, 0.6f}, 0.15f), picture(2, {0.7f, 0.5f, 0.3f}, 0.2f),
+                       {.iterations = 4, .size = 5});
+  for (int b = 0; b < 5; ++b)
+    for (int g = 0; g < 5; ++g)
+      for (int r = 0; r < 5; ++r)
+        EXPECT_EQ(transfer.exact(transfer.lut.input_of(r, g, b)), transfer.lut.node(r, g, b));
+}
+
 TEST(ColourTransfer, ToItsOwnColoursIsNearlyTheIdentity) {
   const DisplayImage image = picture(3, {0.4f, 0.5f, 0.5f}, 0.3f);
   const ColourTransfer transfer = transfer_colours(image, image, {.iterations = 5, .size = 33});

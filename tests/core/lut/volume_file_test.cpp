@@ -58,5 +58,22 @@ TEST(VolumeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_TRUE(parse_volumes(volumes_json(""), "v.json").volumes.empty());
 }
 
+TEST(VolumeFile, WhatIsWrittenReadsBack) {
+  const VolumeScene scene{
+      {{"hall \"A\"", {-2, 0, -2.5}, {2, 8, 2}, 1, 0.5}, {"point", {1, 1, 1}, {1, 1, 1}, 0, 1}},
+      {"hall.cube", "p.png"},
+      "neutral.cube"};
+  const VolumeScene again = parse_volumes(volumes_text(scene), "again");
+  ASSERT_EQ(again.volumes.size(), 2u);
+  EXPECT_EQ(again.volumes[0].name, "hall \"A\"");
+  EXPECT_EQ(again.volumes[0].min, scene.volumes[0].min);
+  EXPECT_EQ(again.volumes[0].max, scene.volumes[0].max);
+  EXPECT_EQ(again.volumes[0].blend_radius_m, 1);
+  EXPECT_EQ(again.volumes[0].weight, 0.5);
+  EXPECT_EQ(again.tables, scene.tables);
+  EXPECT_EQ(again.background, "neutral.cube");
+  EXPECT_THROW(volumes_text({{{"turned", {1, 0, 0}, {0, 1, 1}, 0, 1}}, {"a.cube"}, ""}), InputError);
+}
+
 }  // namespace
 }  // namespace plenolab
