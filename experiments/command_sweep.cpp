@@ -6,6 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/base/file.h"
+#include "core/image/colour.h"
+#include "core/io/image_file.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/display_options.h"
 #include "experiments/cli/inputs.h"
@@ -17,11 +19,13 @@
 #include "experiments/cli/wide_table.h"
 #include "experiments/sweep_drim.h"
 #include "experiments/sweep_luminance.h"
+#include "experiments/sweep_lut.h"
 #include "experiments/sweep_reprojection.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
 #include "experiments/sweep_tonemap.h"
 #include "experiments/tonemap_fit.h"
+#include "experiments/walk.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -173,6 +177,33 @@ ResultTable run_luminance_sweep(const SweepOptions& options, const fs::path& fol
   return table;
 }
 
+constexpr const char* kWalk = "walk";
+
+/// A picture for tables: of the walk, of a .png, or of radiance as a plain exposure shows it.
+DisplayImage picture_of(const SweepOptions& options) {
+  if (options.source == kWalk) {
+    const std::vector<WalkPose> path = walk_path();
+    return WalkStage().frame(path[path.size() / 2], 960, 540, options.common.threads).picture;
+  }
+  if (fs::path(options.source).extension() == ".png") return read_display_image(options.source);
+  const OperatorView view = image_of(options).view;
+  return expose(*view.colour, exposure_from(*view.colour));
+}
+
+ResultTable run_lut_sweep(const SweepOptions& options, const fs::path& folder) {
+  const std::string name = fs::path(item_path(options.source)).stem().string();
+  const DisplayImage picture = picture_of(options);
+  ProgressBar bar("sweep");
+  ResultTable table = sweep_lut(name, picture, run_of(options, bar));
+  write_sweep_plot(table, lut_sweep_plot(), name, folder);
+  if (options.source != kWalk) return table;
+  ProgressBar counting_bar("counting");
+  const ResultTable counting = sweep_pixel_counting(run_of(options, counting_bar));
+  write_sweep_plot(counting, pixel_counting_sweep_plot(), "pixel-counting", folder);
+  table.append(counting);
+  return table;
+}
+
 /// A method with the table in which people see its rows.
 struct SweepMethod {
   const char* name;
@@ -229,6 +260,15 @@ const std::vector<SweepMethod>& methods() {
        run_luminance_sweep,
        {"scene", "method", "pinhole", "samples"},
        tone_columns({{"rms_error_to_scene", "to the scene"}})},
+      {"lut",
+       run_lut_sweep,
+       {"picture", "chain", "interpolation", "size", "divisor"},
+       {{"mean_delta_e", "mean ΔE"},
+        {"largest_delta_e", "largest ΔE"},
+        {"largest_weight_error", "weight error"},
+        {"seconds_median", "seconds"},
+        {"memory_peak_mib", "peak [MiB]"},
+        {"on_pareto_front", "Pareto front"}}},
   };
   return table;
 }
@@ -290,7 +330,7 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
          "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
          "truth; bilateral, histogram, drim: image with radiance; adjustment: folder of a light field; "
          "reprojection: "
-         "scenes only; luminance: pillars, sphere, or folder with display.json")
+         "scenes only; luminance: pillars, sphere, or folder with display.json; lut: walk, or an image")
       ->required();
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
@@ -308,7 +348,9 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
       "drim: scale of the images and orientations. "
       "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
-      "images, smoothing and spread on a projector display.\n"
+      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables; "
+      "for "
+      "walk also down-scaling of pixel counting.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });

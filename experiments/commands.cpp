@@ -18,6 +18,8 @@ void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_train_brisque_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
+void add_optimise_command(CLI::App& app, const Invocation& invocation);
+void add_lut_command(CLI::App& app, const Invocation& invocation);
 void add_luminance_command(CLI::App& app, const Invocation& invocation);
 void add_sweep_command(CLI::App& app, const Invocation& invocation);
 void add_session_command(CLI::App& app, const Invocation& invocation);
@@ -47,6 +49,9 @@ std::span<const Command> commands() {
               add_evaluate_command},
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",
               add_reproject_command},
+      Command{"optimise", "Tune the generic operator to one image by a quality metric", add_optimise_command},
+      Command{"lut", "Look-up tables of colour: apply, blend, transfer, post-processing volumes",
+              add_lut_command},
       Command{"luminance",
               "Luminance that observers of a light-field display adapt to, and tone mapping with it",
               add_luminance_command},

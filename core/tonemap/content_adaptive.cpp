@@ -10,6 +10,7 @@
 #include "core/base/parallel.h"
 #include "core/tonemap/colour_ratio.h"
 #include "core/tonemap/map_rows.h"
+#include "core/tonemap/pq_operator.h"
 #include "core/tonemap/row_math.h"
 
 namespace plenolab {
@@ -17,8 +18,6 @@ namespace plenolab {
 namespace {
 
 constexpr int kBins = PqHistogram::kBins;
-constexpr double kM1 = 2610.0 / 16384, kM2 = 2523.0 / 32, kC1 = 3424.0 / 4096, kC2 = 2413.0 / 128,
-                 kC3 = 2392.0 / 128;
 constexpr double kLargestSignal = 1.95;
 constexpr double kGamma = 2.2;
 constexpr double kResponsePower = 0.73;
@@ -114,16 +113,6 @@ void ContentAdaptiveOptions::validate() const {
     throw InputError(fmt::format("the colour exponent must lie in [0, 1], not {}", colour_exponent));
   if (!(cd_m2_per_unit > 0 && std::isfinite(cd_m2_per_unit)))
     throw InputError(fmt::format("the luminance of radiance 1 must be positive, not {}", cd_m2_per_unit));
-}
-
-double pq_signal(double luminance_cd_m2) {
-  const double y = std::pow(std::max(luminance_cd_m2, 0.0) / 1e4, kM1);
-  return std::pow((kC1 + kC2 * y) / (1 + kC3 * y), kM2);
-}
-
-double pq_luminance(double signal) {
-  const double v = std::pow(std::max(signal, 0.0), 1 / kM2);
-  return 1e4 * std::pow(std::max(v - kC1, 0.0) / (kC2 - kC3 * v), 1 / kM1);
 }
 
 PqHistogram measure_pq_histogram(const Plane<float>& luminance_cd_m2, double largest_cd_m2, int threads) {

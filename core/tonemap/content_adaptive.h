@@ -31,12 +31,6 @@ struct ContentAdaptiveOptions {
   void validate() const;
 };
 
-/// PQ signal of a luminance in cd/m² that is not cut at 10 000 (SMPTE ST 2084 continued: 1.776 at 1e9).
-/// Values below 0 count as 0.
-double pq_signal(double luminance_cd_m2);
-/// Its inverse, for signals below 1.99 (where it has its pole).
-double pq_luminance(double signal);
-
 /// Population of even bins of the PQ signal over [0, signal_max], of one view or, merged, of several.
 struct PqHistogram {
   static constexpr int kBins = 1024;

@@ -22,8 +22,14 @@ const Item& find_item(const std::vector<Item>& items, std::string_view id, std::
 
 const std::vector<OperatorInfo>& tone_mapping_operators() {
   static const std::vector<OperatorInfo> table{
-      bilateral_entry(),       histogram_entry(),       reinhard_devlin_entry(),
-      reinhard_global_entry(), robust_adaptive_entry(), content_adaptive_entry(),
+      bilateral_entry(),
+      histogram_entry(),
+      reinhard_devlin_entry(),
+      reinhard_global_entry(),
+      robust_adaptive_entry(),
+      generic_entry(),
+      pq_entry(),
+      content_adaptive_entry(),
   };
   return table;
 }

@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "experiments/reproduce/display/near_eye_bench.h"
 #include "experiments/reproduce/luminance/luminance_bench.h"
+#include "experiments/reproduce/lut/walk_bench.h"
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
@@ -57,6 +58,11 @@ NearEyeBench& Laboratory::near_eye_bench() {
 LuminanceBench& Laboratory::luminance_bench() {
   if (!luminance_bench_) luminance_bench_ = std::make_unique<LuminanceBench>(options_);
   return *luminance_bench_;
+}
+
+WalkBench& Laboratory::walk_bench() {
+  if (!walk_bench_) walk_bench_ = std::make_unique<WalkBench>(options_);
+  return *walk_bench_;
 }
 
 std::vector<std::string> Laboratory::scene_ids() const {

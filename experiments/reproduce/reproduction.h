@@ -55,6 +55,7 @@ enum class Chapter {
   kStudy,        ///< participants: sessions and their analysis
   kCalibration,  ///< fits of the display's lengths and angles
   kLuminance,    ///< luminance that observers of a projector display adapt to
+  kLuts,         ///< look-up tables blended by what a camera sees
   kSpeed,
   kClaims,
 };

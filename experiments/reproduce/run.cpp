@@ -73,6 +73,7 @@ const std::vector<LedgerPart>& ledger_parts() {
       {"Tone mapping: Altmeier, sections 2.1, 5, 6.2, 6.3 and 7", {"A-T", "A-S"}},
       {"Near-eye light-field display and its study: Hansen & Klein, with Kraus", {"H-"}},
       {"Luminance on a projector display: Doronin & Barsi", {"D-"}},
+      {"Metrics, optimisation and look-up tables: Zhao", {"Z-"}},
   };
   return parts;
 }

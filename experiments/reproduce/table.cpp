@@ -121,6 +121,15 @@ ReproductionResult reproduce_claim_d4(Laboratory& laboratory);
 ReproductionResult reproduce_claim_d5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_d6(Laboratory& laboratory);
 ReproductionResult reproduce_claim_d7(Laboratory& laboratory);
+ReproductionResult reproduce_colour_transfer(Laboratory& laboratory);
+ReproductionResult reproduce_walk(Laboratory& laboratory);
+ReproductionResult reproduce_turns(Laboratory& laboratory);
+ReproductionResult reproduce_mixed_images(Laboratory& laboratory);
+ReproductionResult reproduce_counting_times(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z4(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z5(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z6(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z7(Laboratory& laboratory);
 
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
@@ -267,6 +276,22 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"doronin-claim-d7",
                    "Claim D-7: All is worst in Sphere, Accumulative slightly better in Pillars",
                    Chapter::kLuminance, reproduce_claim_d7},
+      Reproduction{"zhao-fig-23", "Figure 23: looks by colour transfer", Chapter::kLuts,
+                   reproduce_colour_transfer},
+      Reproduction{"zhao-fig-24", "Figure 24: a walk through three volumes", Chapter::kLuts, reproduce_walk},
+      Reproduction{"zhao-fig-25", "Figure 25: blends beside the table of the volume ahead", Chapter::kLuts,
+                   reproduce_turns},
+      Reproduction{"zhao-fig-26", "Figure 26: blends beside mixed images", Chapter::kLuts,
+                   reproduce_mixed_images},
+      Reproduction{"zhao-table-3", "Table 3: times of counting pixels", Chapter::kLuts,
+                   reproduce_counting_times},
+      Reproduction{"zhao-claim-z4", "Claim Z-4: pixel-based blends are closer to the reference",
+                   Chapter::kLuts, reproduce_claim_z4},
+      Reproduction{"zhao-claim-z5", "Claim Z-5: what resolution costs", Chapter::kLuts, reproduce_claim_z5},
+      Reproduction{"zhao-claim-z6", "Claim Z-6: a table is a hundred times cheaper", Chapter::kLuts,
+                   reproduce_claim_z6},
+      Reproduction{"zhao-claim-z7", "Claim Z-7: codes in the dark of PQ and gamma", Chapter::kOperators,
+                   reproduce_claim_z7},
       Reproduction{"sweep-synthesis", "Error against run time of view synthesis", Chapter::kSpeed,
                    reproduce_synthesis_sweep},
       Reproduction{"pruning", "What was left out, and what that saved", Chapter::kSpeed, reproduce_pruning},

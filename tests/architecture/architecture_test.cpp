@@ -24,6 +24,7 @@ const std::vector<Layer>& layers() {
       {"core/lightfield", {"core/base", "core/image", "core/io"}},
       {"core/synthesis", {"core/base", "core/image", "core/io", "core/lightfield"}},
       {"core/tonemap", {"core/base", "core/image", "core/io", "core/lightfield", "core/synthesis"}},
+      {"core/lut", {"core/base", "core/image", "core/io"}},
       {"core/display", {"core/base", "core/image"}},
       {"core/reprojection", {"core/base", "core/image", "core/display"}},
       {"core/luminance",

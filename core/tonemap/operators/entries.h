@@ -11,8 +11,10 @@
 namespace plenolab {
 
 OperatorInfo bilateral_entry();
+OperatorInfo generic_entry();
 OperatorInfo content_adaptive_entry();
 OperatorInfo histogram_entry();
+OperatorInfo pq_entry();
 OperatorInfo reinhard_devlin_entry();
 OperatorInfo reinhard_global_entry();
 OperatorInfo robust_adaptive_entry();

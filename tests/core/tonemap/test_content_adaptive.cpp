@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/base/random.h"
+#include "core/tonemap/pq_operator.h"
 #include "tests/support/message_of.h"
 
 namespace plenolab {

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "analysis/plot.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "core/io/image_file.h"
+#include "experiments/cli/checks.h"
+#include "experiments/cli/inputs.h"
+#include "experiments/cli/output.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/cli/result_folder.h"
+#include "experiments/cli/suggest.h"
+#include "experiments/optimise/tone_optimiser.h"
+#include "experiments/tonemap_fit.h"
+
+namespace plenolab {
+
+void add_optimise_command(CLI::App& app, const Invocation& invocation);
+
+namespace {
+
+struct OptimiseOptions {
+  CommonOptions common;
+  ToneOptimisationOptions search;
+  std::string image, out, trace, plot;
+  double cd_m2_per_unit = 0;
+  bool relative = false;
+};
+
+void check_quantity(const std::string& quantity) {
+  const std::vector<std::string> known = objective_quantities();
+  if (std::find(known.begin(), known.end(), quantity) == known.end())
+    throw UsageError(
+        fmt::format("--metric: there is no quantity '{}'{}", quantity, did_you_mean(quantity, known)));
+}
+
+ResultTable trace_rows(const Evolution& evolution, const Objective& objective) {
+  const std::vector<SearchParameter> space = generic_search_space();
+  ResultTable table;
+  for (const EvolutionStep& step : evolution.trace) {
+    const decltype(ResultRow::columns) columns{{"iteration", static_cast<long long>(step.iteration)}};
+    // Costs of quantities whose higher values are better have the sign turned.
+    table.add({objective.quantity, objective.cost(step.score), objective.unit, columns});
+    table.add({"deviation", step.deviation, "1", columns});
+    table.add({"evaluations", static_cast<double>(step.evaluations), "images", columns});
+    for (std::size_t k = 0; k < space.size(); ++k)
+      table.add({"parameter_" + space[k].name, step.parameters[k], "1", columns});
+  }
+  return table;
+}
+
+Plot trace_plot(const Evolution& evolution, const Objective& objective) {
+  Plot plot;
+  plot.x = {.title = "Images judged"};
+  plot.y = {.title = objective.quantity, .unit = objective.unit};
+  plot.key = KeyPosition::kNone;
+  PlotSeries best{.title = "Best so far"};
+  for (const EvolutionStep& step : evolution.trace)
+    best.points.push_back({.x = static_cast<double>(step.evaluations), .y = objective.cost(step.score)});
+  plot.series = {best};
+  return plot;
+}
+
+ResultTable rows_of(const ToneOptimisation& found, const OptimiseOptions& options,
+                    const Objective& objective) {
+  const decltype(ResultRow::columns) image{{"image", options.image}};
+  const auto with = [&](const char* column, const char* cell) {
+    auto columns = image;
+    columns.push_back({column, std::string(cell)});
+    return columns;
+  };
+  ResultTable table;
+  table.add({objective.quantity, found.start_value, objective.unit, with("parameters", "start")});
+  table.add({objective.quantity, found.best_value, objective.unit, with("parameters", "optimised")});
+  for (const SearchParameter& p : generic_search_space()) {
+    const auto k = static_cast<std::size_t>(table.rows().size() - 2);
+    table.add({"parameter_" + p.name, found.evolution.best[k], "1", image});
+  }
+  table.add({"iterations", static_cast<double>(found.evolution.trace.back().iteration), "iterations", image});
+  table.add({"evaluations", static_cast<double>(found.evolution.trace.back().evaluations), "images", image});
+  table.add({"converged", found.evolution.converged ? 1.0 : 0.0, "1", image});
+  table.add({"seconds_search", found.seconds_search, "s", image});
+  return table;
+}
+
+/// The settings as `tonemap --operator generic` takes them.
+std::string settings_line(const GenericOptions& o) {
+  return fmt::format("--set b={} --set d_l={} --set d_h={} --set c={} --set m1={} --set m2={} --set m3={}",
+                     o.brightness, o.low_range, o.high_range, o.contrast, o.fine, o.middle, o.coarse);
+}
+
+ComparisonConditions conditions_of(const OptimiseOptions& options, ResultTable& notes) {
+  ComparisonConditions conditions;
+  conditions.threads = options.common.threads;
+  const std::optional<double> declared = declared_cd_m2_per_unit(options.image);
+  conditions.cd_m2_per_unit = options.cd_m2_per_unit > 0 ? options.cd_m2_per_unit : declared.value_or(1);
+  if (options.cd_m2_per_unit <= 0 && !declared)
+    notes.add({kNoteQuantity,
+               0,
+               "1",
+               {{"note", std::string("The image does not say what a value of 1 is; 1 cd/m² was taken "
+                                     "(--cd-m2-per-unit).")}}});
+  return conditions;
+}
+
+void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
+  OptimiseOptions options = given;
+  check_quantity(options.search.quantity);
+  options.search.evolution.seed = options.common.seed;
+  options.search.evolution.relative_deviation = options.relative;
+  Provenance provenance = begin_run(invocation, options.common);
+  const OperatorView view = read_operator_view(options.image);
+  add_input(provenance, options.image);
+  require_keeps_inputs(provenance, options.out);
+  ResultTable notes;
+  const ComparisonConditions conditions = conditions_of(options, notes);
+  provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
+  ProgressBar bar("optimising");
+  const ToneOptimisation found =
+      optimise_tones(*view.colour, conditions, options.search, [&](const EvolutionStep& step) {
+        bar.update(static_cast<double>(step.iteration) / options.search.evolution.most_iterations);
+        bar.remark(fmt::format("{} {:.4g}", options.search.quantity, step.score));
+      });
+  bar.clear();
+  const Objective objective = make_objective(options.search.quantity, *view.colour, conditions);
+  write_display_image(options.out, found.image);
+  if (!options.trace.empty()) write_text_file(options.trace, to_csv(trace_rows(found.evolution, objective)));
+  if (!options.plot.empty()) write_plot(trace_plot(found.evolution, objective), options.plot);
+  write_run_json_beside(options.out, provenance);
+  tell(options.common, fmt::format("wrote {}", options.out));
+  ResultTable table = rows_of(found, options, objective);
+  table.append(notes);
+  emit_results(table, provenance, options.common);
+  tell(options.common, fmt::format("The same by hand: plenolab tonemap {} -o OUT.png --operator generic {}",
+                                   options.image, settings_line(found.best)));
+}
+
+void add_search_options(CLI::App& app, OptimiseOptions& options) {
+  EvolutionOptions& evolution = options.search.evolution;
+  app.add_option("--children", evolution.children, "Images judged in each iteration")
+      ->capture_default_str()
+      ->check(whole_number(1, 100000));
+  app.add_option("--iterations", evolution.most_iterations, "Iterations at most")
+      ->capture_default_str()
+      ->check(whole_number(0, 1000000));
+  app.add_option("--deviation", evolution.deviation, "First standard deviation of the children")
+      ->capture_default_str()
+      ->check(positive_number());
+  app.add_flag("--relative", options.relative, "Deviations in units of each parameter's range");
+  app.add_option("--shrink", options.search.shrink, "Search on the image averaged down by this")
+      ->capture_default_str()
+      ->check(whole_number(1, 64));
+}
+
+}  // namespace
+
+void add_optimise_command(CLI::App& app, const Invocation& invocation) {
+  auto options = std::make_shared<OptimiseOptions>();
+  app.add_option("image", options->image, "Image with radiance (.exr .hdr .pfm)")->required();
+  app.add_option("-o,--out", options->out, "Tone mapped image (.png)")
+      ->required()
+      ->check(file_ending_in({".png"}));
+  app.add_option("--metric", options->search.quantity, "Quantity to improve, of those that `metric` prints")
+      ->capture_default_str();
+  add_search_options(app, *options);
+  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit, "Luminance of a pixel value of 1")
+      ->check(positive_number());
+  app.add_option("--trace", options->trace, "Best parameters after each iteration, to this file (.csv)")
+      ->check(file_ending_in({".csv"}));
+  app.add_option("--plot", options->plot, "Also draw the trace: files NAME.svg, NAME.pdf, …")
+      ->check(not_empty());
+  add_common_options(app, options->common);
+  app.footer("Example: plenolab optimise photo.exr -o tuned.png --shrink 4");
+  app.callback([options, &invocation] { run_optimise(invocation, *options); });
+}
+
+}  // namespace plenolab

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "analysis/evolution_strategy.h"
+#include "core/tonemap/generic.h"
+#include "experiments/optimise/objective.h"
+
+namespace plenolab {
+
+/// The generic operator's parameters found for one image by an evolution strategy (Zhao 2019, chapter 3).
+
+struct ToneOptimisationOptions {
+  std::string quantity = "feature_content_adaptive";  ///< of objective_quantities()
+  EvolutionOptions evolution;
+  int shrink = 1;  ///< the search sees the image averaged over blocks of shrink × shrink pixels, ≥ 1
+
+  /// Throws InputError naming the value out of range.
+  void validate() const;
+};
+
+/// The ranges that are searched, and where the search starts (core/tonemap/generic.h).
+std::vector<SearchParameter> generic_search_space();
+GenericOptions generic_options(std::span<const double> parameters);
+
+struct ToneOptimisation {
+  GenericOptions best;
+  Evolution evolution;        ///< costs at the size of the search
+  double start_value = 0;     ///< of the objective at full size, with the parameters of the start
+  double best_value = 0;      ///< at full size
+  DisplayImage image;         ///< full size, best parameters
+  double seconds_search = 0;  ///< with the preparation of the objective
+};
+
+/// Deterministic for a seed, whatever the number of threads. `conditions.threads` evaluate candidates at
+/// once; its mask must be empty. Throws InputError as the parts do.
+ToneOptimisation optimise_tones(const SceneImage& scene, const ComparisonConditions& conditions,
+                                const ToneOptimisationOptions& options,
+                                const std::function<void(const EvolutionStep&)>& progress = {});
+
+/// Mean of blocks; those at the right and lower border are smaller.
+SceneImage averaged_down(const SceneImage& image, int shrink);
+
+}  // namespace plenolab
