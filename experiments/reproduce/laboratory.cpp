@@ -8,6 +8,7 @@
 #include "core/base/parallel.h"
 #include "experiments/reproduce/display/near_eye_bench.h"
 #include "experiments/reproduce/luminance/luminance_bench.h"
+#include "experiments/reproduce/optimisation/optimisation_bench.h"
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
@@ -57,6 +58,11 @@ NearEyeBench& Laboratory::near_eye_bench() {
 LuminanceBench& Laboratory::luminance_bench() {
   if (!luminance_bench_) luminance_bench_ = std::make_unique<LuminanceBench>(options_);
   return *luminance_bench_;
+}
+
+OptimisationBench& Laboratory::optimisation_bench() {
+  if (!optimisation_bench_) optimisation_bench_ = std::make_unique<OptimisationBench>(options_);
+  return *optimisation_bench_;
 }
 
 std::vector<std::string> Laboratory::scene_ids() const {

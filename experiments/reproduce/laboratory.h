@@ -17,6 +17,7 @@ namespace plenolab {
 class LuminanceBench;
 class MappingBench;
 class NearEyeBench;
+class OptimisationBench;
 
 /// How large a reproduction is run.
 enum class Effort {
@@ -90,6 +91,8 @@ class Laboratory {
   NearEyeBench& near_eye_bench();
   /// What the items on the luminance of a projector display share (experiments/reproduce/luminance).
   LuminanceBench& luminance_bench();
+  /// What the items on tone mapping tuned by metrics share (experiments/reproduce/optimisation).
+  OptimisationBench& optimisation_bench();
 
   const RenderingTally& tally() const { return tally_; }
 
@@ -108,6 +111,7 @@ class Laboratory {
   std::unique_ptr<MappingBench> mapping_bench_;
   std::unique_ptr<NearEyeBench> near_eye_bench_;
   std::unique_ptr<LuminanceBench> luminance_bench_;
+  std::unique_ptr<OptimisationBench> optimisation_bench_;
   std::mutex tally_mutex_;
   RenderingTally tally_;
 };
