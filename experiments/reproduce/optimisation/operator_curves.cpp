@@ -121,11 +121,13 @@ ReproductionResult reproduce_pq_curve(Laboratory&) {
       "At 0.01 cd/m² a 10-bit step of PQ is {:.1f} % of luminance, one of gamma {:.1f} %; below it PQ has "
       "{:.0f} codes, gamma {:.0f}. PQ keeps {:.0f} % of its signals for what lies above 100 cd/m².",
       dark_pq, dark_gamma, codes_pq, codes_gamma, above);
+  const char* more = codes_pq > 1.1 * codes_gamma   ? "more codes than"
+                     : codes_gamma > 1.1 * codes_pq ? "fewer codes than"
+                                                    : "about as many codes as";
   result.differs = fmt::format(
-      "Below 0.01 cd/m² PQ has {} codes than gamma with a peak of 100 cd/m², {} the text; over its whole "
-      "range, which is 100 times as large, it has the same number of them. The text has x as luminance and y "
-      "as physical luminance; here x is the signal.",
-      codes_pq > codes_gamma ? "more" : "fewer", codes_pq > codes_gamma ? "as in" : "against");
+      "Below 0.01 cd/m² PQ, whose peak is 100 times as high, has {} gamma; its steps are {} there. The text "
+      "has the displayed luminance as x and the physical one as y; here x is the signal.",
+      more, dark_pq < dark_gamma ? "finer, as the text says" : "no finer, against the text");
   return result;
 }
 
