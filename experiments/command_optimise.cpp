@@ -55,7 +55,7 @@ ResultTable trace_rows(const Evolution& evolution, const Objective& objective) {
 Plot trace_plot(const Evolution& evolution, const Objective& objective) {
   Plot plot;
   plot.x = {.title = "Images judged"};
-  plot.y = {.title = objective.quantity, .unit = objective.unit};
+  plot.y = {.title = objective.quantity + " at the size of the search", .unit = objective.unit};
   plot.key = KeyPosition::kNone;
   PlotSeries best{.title = "Best so far"};
   for (const EvolutionStep& step : evolution.trace)

@@ -1,5 +1,7 @@
 #include "experiments/sweep_optimise.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -43,7 +45,8 @@ ResultTable sweep_optimise(const SweepImage& image, double cd_m2_per_unit, const
     SweepOutcome& outcome = outcomes.emplace_back();
     outcome.setting = {{"shrink", static_cast<long long>(setting.shrink)},
                        {"children", static_cast<long long>(setting.children)},
-                       {"iterations", static_cast<long long>(setting.iterations)}};
+                       {"iterations", static_cast<long long>(setting.iterations)},
+                       {"search", fmt::format("{} × {}", setting.children, setting.iterations)}};
     const ToneOptimisation found = optimise_with(setting, quantity, scene, conditions);
     outcome.error = objective.cost(found.best_value);
     best = std::min(best, outcome.error);
@@ -65,7 +68,7 @@ ResultTable sweep_optimise(const SweepImage& image, double cd_m2_per_unit, const
 }
 
 SweepPlotDesign optimise_sweep_plot() {
-  return {"objective", "Objective at full size", "1", {"shrink", "children"}, "iterations"};
+  return {"objective", "Objective at full size", "1", {"shrink"}, "search"};
 }
 
 }  // namespace plenolab
