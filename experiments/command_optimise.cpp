@@ -55,7 +55,7 @@ ResultTable trace_rows(const Evolution& evolution, const Objective& objective) {
 Plot trace_plot(const Evolution& evolution, const Objective& objective) {
   Plot plot;
   plot.x = {.title = "Images judged"};
-  plot.y = {.title = objective.quantity, .unit = objective.unit};
+  plot.y = {.title = objective.quantity + " at the size of the search", .unit = objective.unit};
   plot.key = KeyPosition::kNone;
   PlotSeries best{.title = "Best so far"};
   for (const EvolutionStep& step : evolution.trace)
@@ -88,8 +88,10 @@ ResultTable rows_of(const ToneOptimisation& found, const OptimiseOptions& option
 
 /// The settings as `tonemap --operator generic` takes them.
 std::string settings_line(const GenericOptions& o) {
-  return fmt::format("--set b={} --set d_l={} --set d_h={} --set c={} --set m1={} --set m2={} --set m3={}",
-                     o.brightness, o.low_range, o.high_range, o.contrast, o.fine, o.middle, o.coarse);
+  return fmt::format(
+      "--set b={} --set d_l={} --set d_h={} --set c={} --set m1={} --set m2={} --set m3={} "
+      "--set scale={}",
+      o.brightness, o.low_range, o.high_range, o.contrast, o.fine, o.middle, o.coarse, o.band_scale);
 }
 
 ComparisonConditions conditions_of(const OptimiseOptions& options, ResultTable& notes) {

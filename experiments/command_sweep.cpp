@@ -20,6 +20,7 @@
 #include "experiments/sweep_drim.h"
 #include "experiments/sweep_luminance.h"
 #include "experiments/sweep_lut.h"
+#include "experiments/sweep_optimise.h"
 #include "experiments/sweep_reprojection.h"
 #include "experiments/sweep_stimuli.h"
 #include "experiments/sweep_synthesis.h"
@@ -168,6 +169,18 @@ ResultTable run_drim_sweep(const SweepOptions& options, const fs::path& folder) 
   return table;
 }
 
+/// Scenes are in cd/m²; a file that does not say what a value of 1 is counts as if it were.
+ResultTable run_optimise_sweep(const SweepOptions& options, const fs::path& folder) {
+  const SweepImage image = image_of(options);
+  const double cd_m2_per_unit =
+      source_exists(options) ? declared_cd_m2_per_unit(options.source).value_or(1) : 1;
+  ProgressBar bar("sweep");
+  const ResultTable table = sweep_optimise(image, cd_m2_per_unit, "feature_content_adaptive",
+                                           all_optimise_settings(), run_of(options, bar));
+  write_sweep_plot(table, optimise_sweep_plot(), image.name, folder);
+  return table;
+}
+
 ResultTable run_luminance_sweep(const SweepOptions& options, const fs::path& folder) {
   require_field_source(options.source, {});
   const ShownField field = open_field(options.source, {}, {.threads = options.common.threads});
@@ -245,6 +258,15 @@ const std::vector<SweepMethod>& methods() {
        {{"mean_error", "mean error"},
         {"rms_error", "RMS error"},
         {"drim_share_any", "distorted"},
+        {"seconds_median", "seconds"},
+        {"memory_peak_mib", "peak [MiB]"},
+        {"on_pareto_front", "Pareto front"}}},
+      {"optimise",
+       run_optimise_sweep,
+       {"image", "shrink", "children", "iterations"},
+       {{"objective", "feature_content_adaptive"},
+        {"objective_excess", "above the best"},
+        {"evaluations", "images judged"},
         {"seconds_median", "seconds"},
         {"memory_peak_mib", "peak [MiB]"},
         {"on_pareto_front", "Pareto front"}}},
@@ -328,7 +350,7 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.add_option(
          "source", options->source,
          "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
-         "truth; bilateral, histogram, drim: image with radiance; adjustment: folder of a light field; "
+         "truth; bilateral, histogram, drim, optimise: image with radiance; adjustment: folder of a light field; "
          "reprojection: "
          "scenes only; luminance: pillars, sphere, or folder with display.json; lut: walk, or an image")
       ->required();
@@ -346,7 +368,9 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "synthesis: search, step, key views against rendered or captured truth. bilateral: sampling of the "
       "grid "
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
-      "drim: scale of the images and orientations. "
+      "drim: scale of the images and orientations. optimise: scale of the image, children and iterations of "
+      "the "
+      "search. "
       "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
       "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables; "
       "for "

@@ -114,6 +114,7 @@ void GenericOptions::validate() const {
   check_range("the contrast c", contrast, 0.2, 1.5);
   for (const double gain : {fine, middle, coarse}) check_range("a gain of a band", gain, -2, 2);
   check_range("the colour exponent", colour_exponent, 0, 1);
+  check_range("the scale of the bands", band_scale, 1, 64);
 }
 
 double generic_curve(const GenericOptions& o, double x) {
@@ -127,8 +128,8 @@ double generic_curve(const GenericOptions& o, double x) {
 
 double band_log2_gain(const GenericOptions& o, double cycles_per_px) {
   if (!(cycles_per_px > 0)) return 0;
-  return o.fine * band(0, cycles_per_px) + o.middle * band(1, cycles_per_px) +
-         o.coarse * band(2, cycles_per_px);
+  const double f = cycles_per_px * o.band_scale;
+  return o.fine * band(0, f) + o.middle * band(1, f) + o.coarse * band(2, f);
 }
 
 void modulate_bands(const GenericOptions& options, Plane<float>& luma) {

@@ -23,6 +23,9 @@ struct GenericOptions {
   double contrast = 0.5;                    ///< c, slope at b is c/2 luma per log10 unit; [0.2, 1.5]
   double fine = 0, middle = 0, coarse = 0;  ///< m₁, m₂, m₃: log2 gains of ¼, 1/16 and 1/64 cycles/px; [−2, 2]
   double colour_exponent = 0.7;             ///< [0, 1]
+  /// Bands are those of the image averaged down by this, [1, 64]: centres of ¼, 1/16, 1/64 over it. For
+  /// parameters that were found on a smaller image.
+  double band_scale = 1;
   void validate() const;
 };
 
@@ -35,7 +38,8 @@ struct GenericParameters {
 double generic_curve(const GenericOptions& options, double x);
 
 /// Log2 gain of a spatial frequency (cycles/px, ≥ 0): Σ mᵢ·Bᵢ with Bᵢ = ½(1 + cos(π·log2(f/fᵢ)/2)) within two
-/// octaves of fᵢ, 0 elsewhere; B of the finest band stays 1 above its centre. 0 at f = 0.
+/// octaves of fᵢ, 0 elsewhere (fᵢ over band_scale); B of the finest band stays 1 above its centre. 0 at f =
+/// 0.
 double band_log2_gain(const GenericOptions& options, double cycles_per_px);
 
 /// Multiplies frequencies of the plane (mirrored at its borders) by 2^band_log2_gain. Gains of 0 leave it as

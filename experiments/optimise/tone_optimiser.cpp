@@ -47,7 +47,8 @@ ComparisonConditions one_thread(ComparisonConditions conditions, int shrink) {
 
 void ToneOptimisationOptions::validate() const {
   evolution.validate();
-  if (shrink < 1) throw InputError(fmt::format("the image is shrunk by {} but that must be ≥ 1", shrink));
+  if (shrink < 1 || shrink > 64)
+    throw InputError(fmt::format("the image is shrunk by {} but that must lie in [1, 64]", shrink));
 }
 
 std::vector<SearchParameter> generic_search_space() {
@@ -106,6 +107,7 @@ ToneOptimisation optimise_tones(const SceneImage& scene, const ComparisonConditi
       options.evolution, progress);
   result.seconds_search = watch.seconds();
   result.best = generic_options(result.evolution.best);
+  result.best.band_scale = options.shrink;  // the bands that the search saw
   const Objective at_full_size = make_objective(options.quantity, full, conditions);
   const ImageStatistics statistics = statistics_of(full, conditions.threads);
   result.start_value =

@@ -11,7 +11,7 @@ namespace plenolab {
 struct ToneOptimisationOptions {
   std::string quantity = "feature_content_adaptive";  ///< of objective_quantities()
   EvolutionOptions evolution;
-  int shrink = 1;  ///< the search sees the image averaged over blocks of shrink × shrink pixels, ≥ 1
+  int shrink = 1;  ///< the search sees the image averaged over blocks of shrink × shrink pixels, [1, 64]
 
   /// Throws InputError naming the value out of range.
   void validate() const;
@@ -22,7 +22,7 @@ std::vector<SearchParameter> generic_search_space();
 GenericOptions generic_options(std::span<const double> parameters);
 
 struct ToneOptimisation {
-  GenericOptions best;
+  GenericOptions best;        ///< with the bands of the size of the search
   Evolution evolution;        ///< costs at the size of the search
   double start_value = 0;     ///< of the objective at full size, with the parameters of the start
   double best_value = 0;      ///< at full size

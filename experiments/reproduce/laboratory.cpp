@@ -9,6 +9,7 @@
 #include "experiments/reproduce/display/near_eye_bench.h"
 #include "experiments/reproduce/luminance/luminance_bench.h"
 #include "experiments/reproduce/lut/walk_bench.h"
+#include "experiments/reproduce/optimisation/optimisation_bench.h"
 #include "experiments/reproduce/tonemap/mapping_bench.h"
 #include "stimuli/scenes/table.h"
 
@@ -63,6 +64,11 @@ LuminanceBench& Laboratory::luminance_bench() {
 WalkBench& Laboratory::walk_bench() {
   if (!walk_bench_) walk_bench_ = std::make_unique<WalkBench>(options_);
   return *walk_bench_;
+}
+
+OptimisationBench& Laboratory::optimisation_bench() {
+  if (!optimisation_bench_) optimisation_bench_ = std::make_unique<OptimisationBench>(options_);
+  return *optimisation_bench_;
 }
 
 std::vector<std::string> Laboratory::scene_ids() const {

@@ -18,6 +18,7 @@ class LuminanceBench;
 class MappingBench;
 class NearEyeBench;
 class WalkBench;
+class OptimisationBench;
 
 /// How large a reproduction is run.
 enum class Effort {
@@ -93,6 +94,8 @@ class Laboratory {
   LuminanceBench& luminance_bench();
   /// What the items on look-up tables in a scene share (experiments/reproduce/lut).
   WalkBench& walk_bench();
+  /// What the items on tone mapping tuned by metrics share (experiments/reproduce/optimisation).
+  OptimisationBench& optimisation_bench();
 
   const RenderingTally& tally() const { return tally_; }
 
@@ -112,6 +115,7 @@ class Laboratory {
   std::unique_ptr<NearEyeBench> near_eye_bench_;
   std::unique_ptr<LuminanceBench> luminance_bench_;
   std::unique_ptr<WalkBench> walk_bench_;
+  std::unique_ptr<OptimisationBench> optimisation_bench_;
   std::mutex tally_mutex_;
   RenderingTally tally_;
 };

@@ -55,6 +55,8 @@ const char* title_of(Chapter chapter) {
       return "Calibration of the display";
     case Chapter::kLuminance:
       return "Luminance on a projector display";
+    case Chapter::kOptimisation:
+      return "Tone mapping tuned by metrics";
     case Chapter::kLuts:
       return "Look-up tables";
     case Chapter::kSpeed:

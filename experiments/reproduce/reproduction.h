@@ -51,11 +51,12 @@ enum class Chapter {
   kQuality,
   kOperators,
   kConsistency,
-  kDisplay,      ///< near-eye light-field display: optics and reprojection
-  kStudy,        ///< participants: sessions and their analysis
-  kCalibration,  ///< fits of the display's lengths and angles
-  kLuminance,    ///< luminance that observers of a projector display adapt to
-  kLuts,         ///< look-up tables blended by what a camera sees
+  kDisplay,       ///< near-eye light-field display: optics and reprojection
+  kStudy,         ///< participants: sessions and their analysis
+  kCalibration,   ///< fits of the display's lengths and angles
+  kLuminance,     ///< luminance that observers of a projector display adapt to
+  kOptimisation,  ///< tone mapping whose parameters a metric chooses
+  kLuts,          ///< look-up tables blended by what a camera sees
   kSpeed,
   kClaims,
 };

@@ -131,6 +131,18 @@ ReproductionResult reproduce_claim_z5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_z6(Laboratory& laboratory);
 ReproductionResult reproduce_claim_z7(Laboratory& laboratory);
 
+ReproductionResult reproduce_natural_histograms(Laboratory& laboratory);
+ReproductionResult reproduce_game_histograms(Laboratory& laboratory);
+ReproductionResult reproduce_pq_curve(Laboratory& laboratory);
+ReproductionResult reproduce_generic_parameters(Laboratory& laboratory);
+ReproductionResult reproduce_tuned_images(Laboratory& laboratory);
+ReproductionResult reproduce_tuned_table(Laboratory& laboratory);
+ReproductionResult reproduce_tuning_audit(Laboratory& laboratory);
+ReproductionResult reproduce_game_sequence(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z1(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z2(Laboratory& laboratory);
+ReproductionResult reproduce_claim_z3(Laboratory& laboratory);
+
 std::span<const Reproduction> reproductions() {
   static constexpr std::array kItems{
       Reproduction{"altmeier-fig-11", "Figure 11: the scenes", Chapter::kScenes, reproduce_scene_overview},
@@ -276,6 +288,28 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"doronin-claim-d7",
                    "Claim D-7: All is worst in Sphere, Accumulative slightly better in Pillars",
                    Chapter::kLuminance, reproduce_claim_d7},
+      Reproduction{"zhao-table-1", "Table 1: parameters of the generic operator", Chapter::kOptimisation,
+                   reproduce_generic_parameters},
+      Reproduction{"zhao-fig-5", "Figure 5: histograms of photographs", Chapter::kOptimisation,
+                   reproduce_natural_histograms},
+      Reproduction{"zhao-fig-6", "Figure 6: histograms of rendered game content", Chapter::kOptimisation,
+                   reproduce_game_histograms},
+      Reproduction{"zhao-fig-7", "Figure 7: perceptual quantisation against gamma 2.4",
+                   Chapter::kOptimisation, reproduce_pq_curve},
+      Reproduction{"zhao-fig-15", "Figure 15: game-like frames by three methods", Chapter::kOptimisation,
+                   reproduce_tuned_images},
+      Reproduction{"zhao-table-2", "Table 2: DRIM distortion of ten game-like sequences",
+                   Chapter::kOptimisation, reproduce_tuned_table},
+      Reproduction{"zhao-audit-table-2", "Table 2 and figure 15 held against themselves",
+                   Chapter::kOptimisation, reproduce_tuning_audit},
+      Reproduction{"zhao-fig-16", "Figure 16: nine frames of a sequence", Chapter::kOptimisation,
+                   reproduce_game_sequence},
+      Reproduction{"zhao-claim-z1", "Claim Z-1: rendered content has spikier histograms than photographs",
+                   Chapter::kOptimisation, reproduce_claim_z1},
+      Reproduction{"zhao-claim-z2", "Claim Z-2: less DRIM distortion by the content adaptive metric",
+                   Chapter::kOptimisation, reproduce_claim_z2},
+      Reproduction{"zhao-claim-z3", "Claim Z-3: a better no-reference score in every scene",
+                   Chapter::kOptimisation, reproduce_claim_z3},
       Reproduction{"zhao-fig-23", "Figure 23: looks by colour transfer", Chapter::kLuts,
                    reproduce_colour_transfer},
       Reproduction{"zhao-fig-24", "Figure 24: a walk through three volumes", Chapter::kLuts, reproduce_walk},

@@ -16,6 +16,7 @@ const std::vector<Setting>& settings() {
       {"m2", d.middle, -2, 2, "octaves of gain", "of detail around 1/16 cycle a pixel"},
       {"m3", d.coarse, -2, 2, "octaves of gain", "of detail around 1/64 cycle a pixel"},
       colour_exponent_setting(d.colour_exponent),
+      {"scale", d.band_scale, 1, 64, "", "the bands are those of the image averaged down by this"},
   };
   return table;
 }

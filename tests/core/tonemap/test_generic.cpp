@@ -109,6 +109,17 @@ TEST(Generic, GainsOfZeroAreTheIdentityAndOpposedOnesUndoEachOther) {
   for (std::size_t i = 0; i < even.size(); ++i) EXPECT_NEAR(back.pixels()[i], even.pixels()[i], 1e-5);
 }
 
+TEST(Generic, BandsOfASmallerImageLieAtLowerFrequencies) {
+  const GenericOptions small{.fine = 1, .middle = -0.5, .coarse = 2};
+  GenericOptions full = small;
+  full.band_scale = 4;
+  for (const double f : {0.0, 0.002, 0.01, 0.03, 0.1, 0.5})
+    EXPECT_DOUBLE_EQ(band_log2_gain(full, f / 4), band_log2_gain(small, f));
+  EXPECT_DOUBLE_EQ(band_log2_gain(full, 0.4), 1) << "everything finer has the gain of the finest band";
+  full.band_scale = 0.5;
+  EXPECT_THROW(full.validate(), InputError);
+}
+
 TEST(Generic, GainsWorkOnImagesOfOnePixelAndOneColumn) {
   for (const auto& [width, height] : {std::pair(1, 1), std::pair(1, 9), std::pair(9, 1)}) {
     const ToneMapped mapped =

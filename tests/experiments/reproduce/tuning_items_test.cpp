@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "experiments/reproduce/optimisation/published_tuning.h"
+#include "experiments/reproduce/optimisation/tuning_tools.h"
+#include "experiments/reproduce/reproduction.h"
+
+namespace plenolab {
+namespace {
+
+/// All items of the chapter on few small frames.
+const std::vector<std::pair<std::string, ReproductionResult>>& results() {
+  static const auto all = [] {
+    Laboratory laboratory({.effort = Effort::kTiny, .cache = {}, .seed = 1, .threads = 2, .on_view = {}});
+    std::vector<std::pair<std::string, ReproductionResult>> list;
+    for (const Reproduction& item : reproductions())
+      if (item.chapter == Chapter::kOptimisation) list.emplace_back(item.id, item.run(laboratory));
+    return list;
+  }();
+  return all;
+}
+
+const ReproductionResult& result_of(const std::string& id) {
+  return std::find_if(results().begin(), results().end(),
+                      [&](const auto& entry) { return entry.first == id; })
+      ->second;
+}
+
+double value_of(const std::string& id, const std::string& quantity) {
+  for (const ResultRow& row : result_of(id).rows.rows())
+    if (row.quantity == quantity) return row.value;
+  ADD_FAILURE() << id << " has no " << quantity;
+  return 0;
+}
+
+TEST(TuningItems, AllSayWhatThePaperAndWeShowAndWhyTheyDiffer) {
+  ASSERT_EQ(results().size(), 11u);
+  for (const auto& [id, result] : results()) {
+    for (const std::string* text : {&result.paper_shows, &result.ours_shows, &result.differs}) {
+      EXPECT_TRUE(text->ends_with('.')) << id << ": " << *text;
+      for (const char* bad : {" nan", " inf", "-nan"})
+        EXPECT_EQ(text->find(bad), std::string::npos) << id << ": " << *text;
+    }
+    EXPECT_FALSE(result.rows.empty()) << id;
+    for (const NamedPlot& plot : result.plots) EXPECT_NO_THROW(plot.plot.plot.validate()) << id;
+  }
+}
+
+TEST(TuningItems, EveryClaimOfTheThesisHasAVerdict) {
+  std::vector<std::string> ids;
+  for (const auto& entry : results())
+    for (const LedgerEntry& claim : entry.second.ledger) {
+      ids.push_back(claim.claim.id);
+      EXPECT_FALSE(claim.verdict.explanation.empty()) << claim.claim.id;
+    }
+  EXPECT_EQ(ids, (std::vector<std::string>{"Z-1a", "Z-1b", "Z-2a", "Z-2b", "Z-2c", "Z-2d", "Z-2e", "Z-2f",
+                                           "Z-3a", "Z-3b", "Z-3c"}));
+}
+
+TEST(TuningItems, TheAuditFindsTheSlipsOfThePrintedTable) {
+  const std::string id = "zhao-audit-table-2";
+  EXPECT_EQ(value_of(id, "sequences"), 10);
+  EXPECT_EQ(value_of(id, "wrong_sums"), 1) << "Effects Cave 2, content adaptive: 40.1 against 40.4";
+  EXPECT_EQ(value_of(id, "lowest_total"), 10);
+  EXPECT_EQ(value_of(id, "table_against_text"), 2) << "Vehicle Game and Living Room";
+  EXPECT_EQ(value_of(id, "figure_against_text"), 1) << "DRIM of Living Room favours the thesis' method";
+  EXPECT_EQ(value_of(id, "figure_brisque_not_lowest"), 1) << "Realistic Reflections favours Gao";
+  EXPECT_EQ(value_of(id, "repeated_cells"), 4) << "three reversals and a loss";
+  EXPECT_EQ(value_of(id, "other_spellings"), 1) << "Effect Cave";
+}
+
+TEST(TuningItems, EverySequenceHasItsOwnNamesakeInTheThesis) {
+  std::vector<std::string> names;
+  for (const GameSequence& sequence : game_sequences()) {
+    EXPECT_EQ("after " + std::string(printed_namesake(sequence).name), sequence.title);
+    names.emplace_back(printed_scene_namesake(sequence).name);
+  }
+  std::sort(names.begin(), names.end());
+  EXPECT_EQ(std::unique(names.begin(), names.end()), names.end());
+  EXPECT_EQ(names.size(), printed_figure_15().size());
+}
+
+TEST(TuningItems, TheLowestOfEqualsIsTheFirst) {
+  EXPECT_EQ(lowest_of({1, 1, 2}), TuningMethod::kContentAdaptive);
+  EXPECT_EQ(lowest_of({3, 2, 1}), TuningMethod::kZhao);
+}
+
+TEST(TuningItems, DifferencesAreOfMeansOfSequencesInTheLightsAskedFor) {
+  std::vector<TunedSequence> tuned(2);
+  tuned[0].sequence = &game_sequences().front();  // dark
+  tuned[1].sequence = &game_sequences().back();   // bright, low contrast
+  for (std::size_t s = 0; s < 2; ++s)
+    for (std::size_t m = 0; m < 3; ++m)
+      for (const double part : {1.0, 3.0}) {
+        TunedFrame frame;
+        frame.loss = part * static_cast<double>(m + 1) * static_cast<double>(s + 1);
+        tuned[s].by_method[m].push_back(frame);
+      }
+  const FrameValue total = [](const TunedFrame& f) { return f.total(); };
+  EXPECT_EQ(sequence_differences(tuned, TuningMethod::kZhao, TuningMethod::kGao, total),
+            (std::vector<double>{2, 4}));
+  EXPECT_EQ(sequence_differences(tuned, TuningMethod::kZhao, TuningMethod::kContentAdaptive, total,
+                                 {GameLight::kBrightLowContrast}),
+            (std::vector<double>{8}));
+}
+
+}  // namespace
+}  // namespace plenolab
