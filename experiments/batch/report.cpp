@@ -74,21 +74,27 @@ std::string left_out_text(const BatchPlan& plan) {
       inputs);
 }
 
+/// With an arrow to where better values lie.
+std::string with_arrow(const MetricQuantity& quantity) {
+  const char* arrow = quantity.better == Better::kHigher  ? " ↑"
+                      : quantity.better == Better::kLower ? " ↓"
+                                                          : "";
+  return quantity.name + arrow;
+}
+
 /// Of inputs of different sizes nothing but time for a number of pixels can be compared.
-constexpr const char* kTimeHeading = "fit and mapping [ms/megapixel]";
+constexpr const char* kTimeHeading = "ms/megapixel";
 
 ReportSection summary_section(const BatchPlan& plan, const ResultTable& means) {
   ReportSection section{"Operators in short", {}, {}};
   std::vector<WideColumn> columns{{"items", "items"}};
   for (const Metric* metric : plan.metrics)
-    columns.push_back(
-        {metric->quantities.front().name,
-         fmt::format("{} ({})", metric->quantities.front().name, better_text(metric->quantities.front()))});
+    columns.push_back({metric->quantities.front().name, with_arrow(metric->quantities.front())});
   columns.push_back({"ms_per_megapixel", kTimeHeading});
-  section.blocks.emplace_back(
-      wide_table(means, {"operator"}, columns,
-                 "The first quantity of each metric, mean over all items of the operator that are done; time "
-                 "is the median over items"));
+  section.blocks.emplace_back(wide_table(
+      means, {"operator"}, columns,
+      "First quantity of each metric (↑ higher, ↓ lower is better), mean over the operator's items; "
+      "time: median of fit and mapping over items"));
   if (const std::string note = left_out_text(plan); !note.empty())
     section.blocks.emplace_back(Paragraph{note});
   return section;
@@ -170,6 +176,7 @@ ReportPlot time_plot(const BatchPlan& plan, const Stored& stored, const MetricQu
   plot.plot.x = {.title = "Fit and mapping", .unit = "ms/megapixel", .logarithmic = true};
   plot.plot.y = {.title = quantity.name, .unit = quantity.unit};
   plot.plot.key = KeyPosition::kOutside;
+  plot.plot.width_px = 960;  // the key takes a third
   plot.caption =
       fmt::format("{} ({}) over run time: median over the items of each operator, bars are quartiles.",
                   quantity.name, better_text(quantity));
