@@ -97,7 +97,7 @@ class BatchPlanTest : public testing::Test {
 TEST_F(BatchPlanTest, HasAnItemForEachViewAndOperatorInputByInput) {
   const BatchPlan plan = planned(tiny_batch());
   ASSERT_EQ(plan.items.size(), 18u);
-  EXPECT_EQ(plan.title(plan.items[0]), "field 0,0 reinhard02 global");
+  EXPECT_EQ(plan.title(plan.items[0]), "field 0,0 reinhard02 naive");
   EXPECT_EQ(plan.title(plan.items[3]), "field 1,0 bilateral naive contrast=30");
 }
 
