@@ -48,34 +48,51 @@ std::vector<Measurement> mapping_values(const ToneMapped& mapped) {
   return measurements_of(table);
 }
 
-std::vector<Measurement> timings_of(const std::vector<double>& fits, const std::vector<double>& maps) {
+std::vector<Measurement> timings_of(const TimedFit& fit, const std::vector<double>& maps) {
   std::vector<double> both;
-  for (std::size_t i = 0; i < fits.size(); ++i) both.push_back(fits[i] + maps[i]);
+  for (std::size_t i = 0; i < maps.size(); ++i) both.push_back(fit.seconds[i] + maps[i]);
   ResultTable table;
   add_timing_rows(table, summarise_times(both), {});
-  table.add({"seconds_fit", median(fits), "s", {}});
+  table.add({"seconds_fit", median(fit.seconds), "s", {}});
   table.add({"seconds_map", median(maps), "s", {}});
+  table.add({"fit_views", static_cast<double>(fit.views), "views", {}});
   return measurements_of(table);
 }
 
-/// Fits and maps again and again; every time gives the same image.
-void map_repeatedly(const OperatorChoice& choice, const FitScope& scope, int repeat, int threads,
-                    MappedItem& item) {
-  const int warm_up = repeat > 1 ? 1 : 0;
-  std::vector<double> fits, maps;
-  ToneMapped mapped;
-  for (int run = -warm_up; run < repeat; ++run) {
-    const Stopwatch fit_watch;
-    const FittedOperator fitted = choice.info->fit(choice.variant.id, choice.values, scope);
-    const double fit_s = fit_watch.seconds();
-    const Stopwatch map_watch;
-    mapped = fitted.apply(item.view, threads);
-    if (run < 0) continue;
-    fits.push_back(fit_s);
-    maps.push_back(map_watch.seconds());
+/// Seconds of each run but the first, or of the only one.
+std::vector<double> seconds_of(int repeat, const std::function<void()>& work) {
+  std::vector<double> seconds;
+  for (int run = repeat > 1 ? -1 : 0; run < repeat; ++run) {
+    const Stopwatch watch;
+    work();
+    if (run >= 0) seconds.push_back(watch.seconds());
   }
+  return seconds;
+}
+
+TimedFit timed_fit(const OperatorChoice& choice, const FitScope& scope, int repeat) {
+  TimedFit fit{.views = scope.views};
+  fit.seconds =
+      seconds_of(repeat, [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
+  return fit;
+}
+
+/// The fit of an item: that of all views, if its variant has one, else its own.
+TimedFit fit_of(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
+                int threads) {
+  const OperatorChoice& choice = plan.operators[item.op].choice;
+  if (const auto found = fits.find(item.op); found != fits.end()) return found->second;
+  TimedFit fit = timed_fit(choice, input.scope(choice.variant.scope, item.view, threads), plan.study.repeat);
+  if (choice.variant.scope == OperatorScope::kLightField) fits.emplace(item.op, fit);
+  return fit;
+}
+
+void map_repeatedly(const TimedFit& fit, int repeat, int threads, MappedItem& item) {
+  ToneMapped mapped;
+  const std::vector<double> seconds =
+      seconds_of(repeat, [&] { mapped = fit.fitted.apply(item.view, threads); });
   item.result.values = mapping_values(mapped);
-  item.result.timings = timings_of(fits, maps);
+  item.result.timings = timings_of(fit, seconds);
   item.image = std::move(mapped.image);
 }
 
@@ -89,17 +106,16 @@ ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& inp
 
 }  // namespace
 
-MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, int threads) {
-  const OperatorChoice& choice = plan.operators[item.op].choice;
+MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
+                    int threads) {
   MappedItem mapped;
   guard(mapped.result, [&] {
     if (!item.problem.empty()) throw InputError(item.problem);
     mapped.view = input.view(item.view);
-    require_disparity(choice, mapped.view);
+    require_disparity(plan.operators[item.op].choice, mapped.view);
     mapped.result.width = mapped.view.colour->width();
     mapped.result.height = mapped.view.colour->height();
-    map_repeatedly(choice, input.scope(choice.variant.scope, item.view, threads), plan.study.repeat, threads,
-                   mapped);
+    map_repeatedly(fit_of(plan, item, input, fits, threads), plan.study.repeat, threads, mapped);
   });
   return mapped;
 }

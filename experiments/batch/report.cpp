@@ -94,7 +94,7 @@ ReportSection summary_section(const BatchPlan& plan, const ResultTable& means) {
   section.blocks.emplace_back(wide_table(
       means, {"operator"}, columns,
       "First quantity of each metric (↑ higher, ↓ lower is better), mean over the operator's items; "
-      "time: median of fit and mapping over items"));
+      "time: median of fit and mapping over items, a fit for several views shared among them"));
   if (const std::string note = left_out_text(plan); !note.empty())
     section.blocks.emplace_back(Paragraph{note});
   return section;
@@ -178,7 +178,7 @@ ReportPlot time_plot(const BatchPlan& plan, const Stored& stored, const MetricQu
   plot.plot.key = KeyPosition::kOutside;
   plot.plot.width_px = 960;  // the key takes a third
   plot.caption =
-      fmt::format("{} ({}) over run time: median over the items of each operator, bars are quartiles.",
+      fmt::format("{} ({}) over run time: medians over the items of each operator, bars are quartiles.",
                   quantity.name, better_text(quantity));
   plot.alt = fmt::format("{} of {} operators over their run time.", quantity.name, plot.plot.series.size());
   return plot;

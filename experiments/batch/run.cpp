@@ -66,11 +66,11 @@ std::vector<std::size_t> items_to_compute(const BatchPlan& plan, const BatchRun&
 
 /// Maps items, one after the other, until all are or enough images wait.
 std::vector<MappedItem> map_some(const BatchPlan& plan, std::span<const std::size_t> items,
-                                 const LoadedInput& input, int threads) {
+                                 const LoadedInput& input, SharedFits& fits, int threads) {
   std::vector<MappedItem> mapped;
   std::size_t waiting_px = 0;
   for (const std::size_t index : items) {
-    mapped.push_back(map_item(plan, plan.items[index], input, threads));
+    mapped.push_back(map_item(plan, plan.items[index], input, fits, threads));
     waiting_px += mapped.back().image.size();
     if (waiting_px >= kMostWaiting_px) break;
   }
@@ -128,8 +128,9 @@ void compute(const BatchPlan& plan, std::span<const std::size_t> items, const Ba
   const std::unique_ptr<LoadedInput> input = load(plan, items, run, remaining);
   if (!input) return;
   tell_stage(run, plan.inputs[plan.items[items.front()].input].choice.title());
+  SharedFits fits;
   while (!items.empty()) {
-    std::vector<MappedItem> mapped = map_some(plan, items, *input, run.threads);
+    std::vector<MappedItem> mapped = map_some(plan, items, *input, fits, run.threads);
     measure_all(plan, items, mapped, run.threads, remaining);
     items = items.subspan(mapped.size());
   }

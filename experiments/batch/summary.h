@@ -13,7 +13,8 @@ std::vector<const ItemResult*> results_of(const BatchPlan& plan, const std::vect
 /// Values of a quantity, of the results that have it.
 std::vector<double> values_of(const std::vector<const ItemResult*>& results, const std::string& quantity);
 
-/// Median time of fit and mapping of each result, for a million pixels.
+/// Median time of fit and mapping of each result, for a million pixels; a fit for several views counts for
+/// each of them in part.
 std::vector<double> milliseconds_per_megapixel(const std::vector<const ItemResult*>& results);
 
 /// For each operator (column `operator`) the mean of every quantity over its items, `items` (those that are
