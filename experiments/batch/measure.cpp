@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <functional>
 
@@ -96,6 +98,17 @@ void map_repeatedly(const TimedFit& fit, int repeat, int threads, MappedItem& it
   item.image = std::move(mapped.image);
 }
 
+/// 0 where the scene is NaN or infinite: operators repair such pixels, and metrics have nothing to compare
+/// them with.
+Mask finite_pixels(const SceneImage& scene) {
+  Mask mask(scene.width(), scene.height(), 1);
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const Rgb c = scene.pixels()[i];
+    if (!std::isfinite(c.r) || !std::isfinite(c.g) || !std::isfinite(c.b)) mask.pixels()[i] = 0;
+  }
+  return mask;
+}
+
 ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& input, int threads) {
   ComparisonConditions conditions;
   conditions.cd_m2_per_unit = input.cd_m2_per_unit.value_or(1);
@@ -124,8 +137,13 @@ void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapp
   if (mapped.result.failed()) return;
   guard(mapped.result, [&] {
     const BatchInput& input = plan.inputs[item.input];
-    const std::vector<Measurement> measured = measure(
-        mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions_for(plan, input, threads));
+    ComparisonConditions conditions = conditions_for(plan, input, threads);
+    const Mask finite = finite_pixels(*mapped.view.colour);
+    const auto left_out = std::count(finite.pixels().begin(), finite.pixels().end(), 0);
+    if (left_out > 0) conditions.valid = &finite;
+    mapped.result.values.push_back({"left_out_pixels", static_cast<double>(left_out), "px"});
+    const std::vector<Measurement> measured =
+        measure(mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions);
     mapped.result.values.insert(mapped.result.values.end(), measured.begin(), measured.end());
   });
 }

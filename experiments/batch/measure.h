@@ -31,7 +31,8 @@ struct MappedItem {
 MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
                     int threads);
 
-/// Adds the values of the metrics. Whatever goes wrong is the result's failure.
+/// Adds the values of the metrics, over all pixels but those where the input is NaN or infinite, whose number
+/// is the value left_out_pixels. Whatever goes wrong is the result's failure.
 void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapped, int threads);
 
 /// The result of an item that failed.

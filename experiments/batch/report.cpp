@@ -44,8 +44,8 @@ std::vector<KeyFigure> key_figures(const BatchPlan& plan, const Stored& stored) 
   for (const StoredItem& item : stored) seconds += item.result.seconds;
   const std::size_t failed = count_of(stored, ItemState::kFailed);
   return {{"items done", std::to_string(count_of(stored, ItemState::kDone)), "",
-           fmt::format("of {}", plan.items.size())},
-          {"items failed", std::to_string(failed), "", failed == 0 ? "" : "named below"},
+           fmt::format("of {}{}", plan.items.size(),
+                       failed == 0 ? std::string() : fmt::format("; {} failed", failed))},
           {"inputs", std::to_string(plan.inputs.size()), "", ""},
           {"operators", std::to_string(plan.operators.size()), "", ""},
           {"mapping and metrics took", format_duration(seconds), "", "all items added up"}};
@@ -74,22 +74,20 @@ std::string left_out_text(const BatchPlan& plan) {
       inputs);
 }
 
-/// With an arrow to where better values lie.
-std::string with_arrow(const MetricQuantity& quantity) {
-  const char* arrow = quantity.better == Better::kHigher  ? " ↑"
-                      : quantity.better == Better::kLower ? " ↓"
-                                                          : "";
-  return quantity.name + arrow;
+/// A metric's name with an arrow to where better values of its first quantity lie.
+std::string with_arrow(const Metric& metric) {
+  const Better better = metric.quantities.front().better;
+  return metric.name + (better == Better::kHigher ? " ↑" : better == Better::kLower ? " ↓" : "");
 }
 
 /// Of inputs of different sizes nothing but time for a number of pixels can be compared.
-constexpr const char* kTimeHeading = "ms/megapixel";
+constexpr const char* kTimeHeading = "ms/Mpx";
 
 ReportSection summary_section(const BatchPlan& plan, const ResultTable& means) {
   ReportSection section{"Operators in short", {}, {}};
   std::vector<WideColumn> columns{{"items", "items"}};
   for (const Metric* metric : plan.metrics)
-    columns.push_back({metric->quantities.front().name, with_arrow(metric->quantities.front())});
+    columns.push_back({metric->quantities.front().name, with_arrow(*metric)});
   columns.push_back({"ms_per_megapixel", kTimeHeading});
   section.blocks.emplace_back(wide_table(
       means, {"operator"}, columns,
@@ -109,17 +107,22 @@ ReportSection mapping_section(const ResultTable& means) {
                                           {"floored_pixels", "luminance 0 [px]"},
                                           {"repaired_nan", "NaN [values]"},
                                           {"repaired_infinite", "infinite [values]"},
-                                          {"repaired_negative", "negative [values]"}},
-                                         "Means over items: nothing is cut or repaired silently"));
+                                          {"repaired_negative", "negative [values]"},
+                                          {"left_out_pixels", "not measured [px]"}},
+                                         "Means over items: nothing is cut, repaired or left out silently"));
   return section;
 }
 
 ReportTable quantity_table(const Metric& metric, const ResultTable& means) {
+  const std::string prefix = metric.name + "_";
   std::vector<WideColumn> columns;
-  for (const MetricQuantity& quantity : metric.quantities)
-    columns.push_back(
-        {quantity.name, quantity.name + (quantity.unit == "1" ? "" : " [" + quantity.unit + "]")});
-  return wide_table(means, {"operator"}, columns, "Means over items");
+  for (const MetricQuantity& quantity : metric.quantities) {
+    const std::string& name = quantity.name;
+    columns.push_back({name, (name.starts_with(prefix) ? name.substr(prefix.size()) : name) +
+                                 (quantity.unit == "1" ? "" : " [" + quantity.unit + "]")});
+  }
+  return wide_table(means, {"operator"}, columns,
+                    fmt::format("Means over items; in results.csv names begin with {}", prefix));
 }
 
 /// Mean over the views of an input, or why there is none.

@@ -3,6 +3,7 @@
 #include <signal.h>
 
 #include <chrono>
+#include <limits>
 #include <thread>
 
 #include "core/base/error.h"
@@ -174,6 +175,20 @@ TEST_F(BatchCommand, WhatFailsIsNamedAndStopsNothingElse) {
   EXPECT_NE(failed_twice.find("36 items: 29 were there, 0 computed, 7 failed"), std::string::npos)
       << failed_twice;
   EXPECT_EQ(csv("out"), rows);
+}
+
+TEST_F(BatchCommand, PixelsThatAreNotFiniteAreCountedAndLeftOutOfMetrics) {
+  SceneImage image = plane_field(3).view(1, 1)->colour;
+  image.at(3, 4).g = std::numeric_limits<float>::quiet_NaN();
+  image.at(30, 20).r = std::numeric_limits<float>::infinity();
+  write_scene_image(parent_.path() / "holes.exr", image, 10);
+  Json study = tiny_batch();
+  study["inputs"] = Json::parse(R"([{"image": "holes.exr"}])");
+  write_tiny_batch(parent_.path(), study);
+  run("out");
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,left_out_pixels,2,px"), std::string::npos)
+      << csv("out");
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,tmqi,"), std::string::npos) << csv("out");
 }
 
 TEST_F(BatchCommand, AnExtendedStudyComputesOnlyWhatIsNew) {
