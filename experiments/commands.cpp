@@ -16,6 +16,7 @@ void add_adjust_lf_command(CLI::App& app, const Invocation& invocation);
 void add_epi_command(CLI::App& app, const Invocation& invocation);
 void add_metric_command(CLI::App& app, const Invocation& invocation);
 void add_train_brisque_command(CLI::App& app, const Invocation& invocation);
+void add_batch_command(CLI::App& app, const Invocation& invocation);
 void add_evaluate_command(CLI::App& app, const Invocation& invocation);
 void add_reproject_command(CLI::App& app, const Invocation& invocation);
 void add_optimise_command(CLI::App& app, const Invocation& invocation);
@@ -45,6 +46,8 @@ std::span<const Command> commands() {
       Command{"metric", "Compare a test image with a reference", add_metric_command},
       Command{"train-brisque", "Train the no-reference metric on distorted pictures of the scenes",
               add_train_brisque_command},
+      Command{"batch", "Scenes and light fields by operators by metrics: resumable, in parts, one report",
+              add_batch_command},
       Command{"evaluate", "What would a sparser capture cost: synthesise the views in between and score them",
               add_evaluate_command},
       Command{"reproject", "Light-field image for the near-eye display from four or five rendered cameras",

@@ -1,0 +1,157 @@
+#include "experiments/batch/measure.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <functional>
+
+#include "analysis/statistics.h"
+#include "analysis/timing.h"
+#include "core/base/error.h"
+#include "experiments/tonemap_fit.h"
+#include "metrics/consistency.h"
+
+namespace plenolab {
+
+namespace {
+
+/// Runs one stage of an item; what it throws becomes the item's failure.
+void guard(ItemResult& result, const std::function<void()>& stage) {
+  const Stopwatch watch;
+  try {
+    stage();
+  } catch (const std::bad_alloc&) {
+    result = failed_result("out of memory");
+  } catch (const std::exception& error) {
+    result = failed_result(error.what());
+  }
+  result.seconds += watch.seconds();
+}
+
+void require_disparity(const OperatorChoice& choice, const OperatorView& view) {
+  if (choice.variant.needs_disparity && !view.disparity)
+    throw InputError(
+        fmt::format("variant {} of {} needs disparity, which the image has not: its .exr needs a channel {}",
+                    choice.variant.id, choice.info->id, kDisparityChannel));
+}
+
+std::vector<Measurement> measurements_of(const ResultTable& table) {
+  std::vector<Measurement> measurements;
+  for (const ResultRow& row : table.rows()) measurements.push_back({row.quantity, row.value, row.unit});
+  return measurements;
+}
+
+std::vector<Measurement> mapping_values(const ToneMapped& mapped) {
+  ResultTable table;
+  table.add({"mean_luma", mean_luma(mapped.image), "luma", {}});
+  add_count_rows(table, mapped.counts, {});
+  return measurements_of(table);
+}
+
+std::vector<Measurement> timings_of(const TimedFit& fit, const std::vector<double>& maps) {
+  std::vector<double> both;
+  for (std::size_t i = 0; i < maps.size(); ++i) both.push_back(fit.seconds[i] + maps[i]);
+  ResultTable table;
+  add_timing_rows(table, summarise_times(both), {});
+  table.add({"seconds_fit", median(fit.seconds), "s", {}});
+  table.add({"seconds_map", median(maps), "s", {}});
+  table.add({"fit_views", static_cast<double>(fit.views), "views", {}});
+  return measurements_of(table);
+}
+
+/// Seconds of each run but the first, or of the only one.
+std::vector<double> seconds_of(int repeat, const std::function<void()>& work) {
+  std::vector<double> seconds;
+  for (int run = repeat > 1 ? -1 : 0; run < repeat; ++run) {
+    const Stopwatch watch;
+    work();
+    if (run >= 0) seconds.push_back(watch.seconds());
+  }
+  return seconds;
+}
+
+TimedFit timed_fit(const OperatorChoice& choice, const FitScope& scope, int repeat) {
+  TimedFit fit{.views = scope.views};
+  fit.seconds =
+      seconds_of(repeat, [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
+  return fit;
+}
+
+/// The fit of an item: that of all views, if its variant has one, else its own.
+TimedFit fit_of(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
+                int threads) {
+  const OperatorChoice& choice = plan.operators[item.op].choice;
+  if (const auto found = fits.find(item.op); found != fits.end()) return found->second;
+  TimedFit fit = timed_fit(choice, input.scope(choice.variant.scope, item.view, threads), plan.study.repeat);
+  if (choice.variant.scope == OperatorScope::kLightField) fits.emplace(item.op, fit);
+  return fit;
+}
+
+void map_repeatedly(const TimedFit& fit, int repeat, int threads, MappedItem& item) {
+  ToneMapped mapped;
+  const std::vector<double> seconds =
+      seconds_of(repeat, [&] { mapped = fit.fitted.apply(item.view, threads); });
+  item.result.values = mapping_values(mapped);
+  item.result.timings = timings_of(fit, seconds);
+  item.image = std::move(mapped.image);
+}
+
+/// 0 where the scene is NaN or infinite: operators repair such pixels, and metrics have nothing to compare
+/// them with.
+Mask finite_pixels(const SceneImage& scene) {
+  Mask mask(scene.width(), scene.height(), 1);
+  for (std::size_t i = 0; i < scene.size(); ++i) {
+    const Rgb c = scene.pixels()[i];
+    if (!std::isfinite(c.r) || !std::isfinite(c.g) || !std::isfinite(c.b)) mask.pixels()[i] = 0;
+  }
+  return mask;
+}
+
+ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& input, int threads) {
+  ComparisonConditions conditions;
+  conditions.cd_m2_per_unit = input.cd_m2_per_unit.value_or(1);
+  conditions.viewing = plan.study.viewing;
+  conditions.threads = threads;
+  return conditions;
+}
+
+}  // namespace
+
+MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
+                    int threads) {
+  MappedItem mapped;
+  guard(mapped.result, [&] {
+    if (!item.problem.empty()) throw InputError(item.problem);
+    mapped.view = input.view(item.view);
+    require_disparity(plan.operators[item.op].choice, mapped.view);
+    mapped.result.width = mapped.view.colour->width();
+    mapped.result.height = mapped.view.colour->height();
+    map_repeatedly(fit_of(plan, item, input, fits, threads), plan.study.repeat, threads, mapped);
+  });
+  return mapped;
+}
+
+void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapped, int threads) {
+  if (mapped.result.failed()) return;
+  guard(mapped.result, [&] {
+    const BatchInput& input = plan.inputs[item.input];
+    ComparisonConditions conditions = conditions_for(plan, input, threads);
+    const Mask finite = finite_pixels(*mapped.view.colour);
+    const auto left_out = std::count(finite.pixels().begin(), finite.pixels().end(), 0);
+    if (left_out > 0) conditions.valid = &finite;
+    mapped.result.values.push_back({"left_out_pixels", static_cast<double>(left_out), "px"});
+    const std::vector<Measurement> measured =
+        measure(mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions);
+    mapped.result.values.insert(mapped.result.values.end(), measured.begin(), measured.end());
+  });
+}
+
+ItemResult failed_result(const std::string& failure) {
+  ItemResult result;
+  result.failure = failure;
+  return result;
+}
+
+}  // namespace plenolab

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "analysis/provenance.h"
+#include "experiments/batch/item_result.h"
+
+namespace plenolab {
+
+/// Rows of all items in the order of the plan: what is the same at every run. An item that failed has one row
+/// `failed`, with the reason in the column "note".
+ResultTable batch_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored);
+
+/// Run times of all items in the order of the plan.
+ResultTable batch_timing_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored);
+
+/// Writes results.csv, timings.csv, report.html with plots/, and run.json into the folder of a batch all of
+/// whose items are done or failed.
+void write_batch_outputs(const BatchPlan& plan, const std::vector<StoredItem>& stored,
+                         const std::filesystem::path& folder, Provenance& provenance);
+
+/// The items that failed, each with its reason, as one text: the first few, then how many more there are.
+std::string failures_text(const BatchPlan& plan, const std::vector<StoredItem>& stored);
+
+}  // namespace plenolab

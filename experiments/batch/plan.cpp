@@ -1,0 +1,203 @@
+#include "experiments/batch/plan.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <set>
+
+#include <method_sources.h>
+#include "core/base/content_hash.h"
+#include "core/base/error.h"
+#include "core/base/file.h"
+#include "experiments/cli/suggest.h"
+
+namespace plenolab {
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Settings that differ from the defaults.
+std::string changed_settings(const OperatorChoice& choice) {
+  const SettingValues defaults = default_values(choice.info->settings);
+  std::string text;
+  for (const Setting& setting : choice.info->settings) {
+    const SettingValue& value = choice.values.at(setting.name);
+    if (value == defaults.at(setting.name)) continue;
+    text += (text.empty() ? "" : " ") + setting.name + "=" + to_text(setting, value);
+  }
+  return text;
+}
+
+/// An operator of the table by its name, with the nearest one for a name that is not there.
+const OperatorInfo& operator_named(const std::string& name) {
+  std::vector<std::string> ids;
+  for (const OperatorInfo& info : tone_mapping_operators()) ids.push_back(info.id);
+  if (std::find(ids.begin(), ids.end(), name) == ids.end())
+    throw InputError(fmt::format("there is no operator \"{}\"{}", name, did_you_mean(name, ids)));
+  return find_operator(name);
+}
+
+BatchOperator resolve(const BatchOperatorChoice& wanted) {
+  BatchOperator op;
+  op.choice.info = &operator_named(wanted.name);
+  if (wanted.variant.ends_with("adjusted"))
+    throw InputError(
+        "key-view adjustment works on whole light fields: map them with 'plenolab tonemap-lf' instead");
+  const std::string& first = op.choice.info->variants.front().id;
+  op.choice.variant = find_variant(*op.choice.info, wanted.variant.empty() ? first : wanted.variant);
+  if (op.choice.maps_frames())
+    throw InputError(fmt::format("variant {} maps frames of a video: choose {} here", wanted.variant, first));
+  op.choice.values = parse_settings(wanted.name, op.choice.info->settings, wanted.settings);
+  op.settings = changed_settings(op.choice);
+  return op;
+}
+
+std::vector<BatchOperator> resolve_operators(const BatchStudy& study, const std::string& file) {
+  std::vector<BatchOperator> operators;
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < study.operators.size(); ++i) try {
+      operators.push_back(resolve(study.operators[i]));
+      if (!seen.insert(operators.back().title()).second)
+        throw InputError(fmt::format("\"{}\" is there twice", operators.back().title()));
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: \"operators[{}]\": {}", file, i, error.what()));
+    }
+  return operators;
+}
+
+/// All that were asked for and take a tone mapped image; asked for by name, all must.
+void resolve_metrics(BatchPlan& plan, const std::string& file) {
+  const std::vector<std::string>& names = plan.study.metrics;
+  try {
+    plan.metrics = select_metrics(names);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("{}: \"metrics\": {}", file, error.what()));
+  }
+  for (const Metric* metric : plan.metrics) {
+    const bool named = std::find(names.begin(), names.end(), metric->name) != names.end() ||
+                       std::find(names.begin(), names.end(), metric->family) != names.end();
+    if (named && !metric->compare_mapped && !metric->judge)
+      throw InputError(fmt::format("{}: \"metrics\": {} does not compare a tone mapped image with its scene",
+                                   file, metric->name));
+    if (!named && metric->absolute_luminance) plan.unscalable.push_back(metric);
+  }
+  std::erase_if(plan.metrics, [](const Metric* metric) { return !metric->compare_mapped && !metric->judge; });
+}
+
+/// Why none of an input's items can be computed; empty if nothing is known.
+std::string problem_of(const BatchPlan& plan, const BatchInput& input) {
+  if (!input.problem.empty()) return input.problem;
+  for (const Metric* metric : plan.metrics_for(input))
+    if (metric->absolute_luminance && !input.cd_m2_per_unit)
+      return fmt::format(
+          "{} needs the luminance of a value of 1, which {} does not say: give \"cd_m2_per_unit\"",
+          metric->name, input.choice.title());
+  return "";
+}
+
+/// Everything that decides the result of an item.
+std::string key_of(const BatchPlan& plan, const BatchItem& item) {
+  const BatchInput& input = plan.inputs[item.input];
+  const OperatorChoice& choice = plan.operators[item.op].choice;
+  ContentHash hash;
+  hash.add(method_sources::kHash);
+  hash.add(input.content.empty() ? "problem " + plan.title(item) + item.problem : input.content);
+  hash.add(input.cd_m2_per_unit.value_or(0));
+  hash.add(static_cast<double>(item.view.column));
+  hash.add(static_cast<double>(item.view.row));
+  hash.add(choice.info->id);
+  hash.add(choice.variant.id);
+  hash.add(settings_text(choice));
+  for (const Metric* metric : plan.metrics_for(input)) hash.add(metric->name);
+  const ViewingConditions& viewing = plan.study.viewing;
+  for (const double value : {viewing.pixels_per_degree, viewing.distance_m, viewing.display_peak_cd_m2,
+                             viewing.display_black_cd_m2, static_cast<double>(plan.study.repeat)})
+    hash.add(value);
+  return hash.hex();
+}
+
+void add_items(BatchPlan& plan, std::size_t input) {
+  std::vector<BatchView> views = plan.inputs[input].views;
+  if (views.empty()) views.emplace_back();
+  const std::string problem = problem_of(plan, plan.inputs[input]);
+  for (const BatchView& view : views)
+    for (std::size_t op = 0; op < plan.operators.size(); ++op) {
+      BatchItem item{.input = input, .op = op, .view = view, .key = {}, .problem = problem};
+      item.key = key_of(plan, item);
+      plan.items.push_back(std::move(item));
+    }
+}
+
+std::string view_text(const BatchInput& input, const BatchItem& item) {
+  return input.views.empty() ? "" : fmt::format("{},{}", item.view.column, item.view.row);
+}
+
+}  // namespace
+
+std::string BatchOperator::title() const {
+  return fmt::format("{} {}{}{}", choice.info->id, choice.variant.id, settings.empty() ? "" : " ", settings);
+}
+
+Columns BatchPlan::columns(const BatchItem& item) const {
+  const BatchInput& input = inputs[item.input];
+  const BatchOperator& op = operators[item.op];
+  return {{"input", input.choice.title()},   {"preset", input.choice.preset},
+          {"view", view_text(input, item)},  {"operator", op.choice.info->id},
+          {"variant", op.choice.variant.id}, {"settings", op.settings}};
+}
+
+std::string BatchPlan::title(const BatchItem& item) const {
+  std::string text;
+  for (const auto& column : columns(item)) {
+    const auto& word = std::get<std::string>(column.second);
+    text += (text.empty() || word.empty() ? "" : " ") + word;
+  }
+  return text;
+}
+
+std::vector<const Metric*> BatchPlan::metrics_for(const BatchInput& input) const {
+  std::vector<const Metric*> chosen = metrics;
+  if (!input.cd_m2_per_unit)
+    std::erase_if(chosen, [&](const Metric* metric) {
+      return std::find(unscalable.begin(), unscalable.end(), metric) != unscalable.end();
+    });
+  return chosen;
+}
+
+BatchPlan plan_batch(const fs::path& study_file, std::uint64_t seed) {
+  BatchPlan plan;
+  const std::string file = study_file.string();
+  plan.study = parse_batch_study(read_text_file(study_file), file);
+  plan.seed = plan.study.seed.value_or(seed);
+  plan.operators = resolve_operators(plan.study, file);
+  resolve_metrics(plan, file);
+  plan.inputs = identify_inputs(plan.study, study_file.parent_path(), plan.seed, file);
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) add_items(plan, i);
+  return plan;
+}
+
+BatchShard parse_shard(const std::string& text) {
+  constexpr int kMostShards = 10'000;
+  BatchShard shard{0, 0};
+  const char* const end = text.data() + text.size();
+  const auto first = std::from_chars(text.data(), end, shard.index);
+  if (first.ptr != end && *first.ptr == '/') {
+    const auto second = std::from_chars(first.ptr + 1, end, shard.count);
+    if (second.ptr == end && shard.index >= 1 && shard.index <= shard.count && shard.count <= kMostShards)
+      return shard;
+  }
+  throw UsageError(
+      fmt::format("--shard: give I/N with 1 ≤ I ≤ N ≤ {}, e.g. 1/4, not '{}'", kMostShards, text));
+}
+
+std::vector<std::size_t> items_of(const BatchShard& shard, std::size_t items) {
+  const auto border = [&](int index) {
+    return items * static_cast<std::size_t>(index) / static_cast<std::size_t>(shard.count);
+  };
+  std::vector<std::size_t> own;
+  for (std::size_t i = border(shard.index - 1); i < border(shard.index); ++i) own.push_back(i);
+  return own;
+}
+
+}  // namespace plenolab

@@ -1,0 +1,223 @@
+#include "experiments/batch/report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "analysis/pareto.h"
+#include "analysis/statistics.h"
+#include "experiments/batch/summary.h"
+#include "experiments/cli/progress_bar.h"
+#include "experiments/cli/wide_table.h"
+
+namespace plenolab {
+
+namespace {
+
+using Stored = std::vector<StoredItem>;
+
+std::string title_of(const BatchInput& input) {
+  return input.choice.title() + (input.choice.preset.empty() ? "" : " " + input.choice.preset);
+}
+
+std::string better_text(const MetricQuantity& quantity) {
+  switch (quantity.better) {
+    case Better::kHigher:
+      return "higher is better";
+    case Better::kLower:
+      return "lower is better";
+    case Better::kNearerZero:
+      return "nearer to 0 is better";
+    case Better::kNeither:
+      return "neither high nor low is better";
+  }
+  return "";
+}
+
+std::size_t count_of(const Stored& stored, ItemState state) {
+  return static_cast<std::size_t>(std::count_if(stored.begin(), stored.end(),
+                                                [&](const StoredItem& item) { return item.state == state; }));
+}
+
+std::vector<KeyFigure> key_figures(const BatchPlan& plan, const Stored& stored) {
+  double seconds = 0;
+  for (const StoredItem& item : stored) seconds += item.result.seconds;
+  const std::size_t failed = count_of(stored, ItemState::kFailed);
+  return {{"items done", std::to_string(count_of(stored, ItemState::kDone)), "",
+           fmt::format("of {}{}", plan.items.size(),
+                       failed == 0 ? std::string() : fmt::format("; {} failed", failed))},
+          {"inputs", std::to_string(plan.inputs.size()), "", ""},
+          {"operators", std::to_string(plan.operators.size()), "", ""},
+          {"mapping and metrics took", format_duration(seconds), "", "all items added up"}};
+}
+
+ReportSection failure_section(const BatchPlan& plan, const Stored& stored) {
+  ReportSection section{"What failed", {}, {}};
+  ReportTable table{"Items without numbers; they are tried again at the next run", {"item", "why"}, {}};
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    if (stored[i].state == ItemState::kFailed)
+      table.rows.push_back({plan.title(plan.items[i]), stored[i].result.failure});
+  section.blocks.emplace_back(std::move(table));
+  return section;
+}
+
+/// Inputs whose unit is not known, with the metrics that are left out there.
+std::string left_out_text(const BatchPlan& plan) {
+  std::string metrics, inputs;
+  for (const Metric* metric : plan.unscalable) metrics += (metrics.empty() ? "" : " and ") + metric->name;
+  for (const BatchInput& input : plan.inputs)
+    if (!input.cd_m2_per_unit && input.problem.empty())
+      inputs += (inputs.empty() ? "" : ", ") + title_of(input);
+  if (metrics.empty() || inputs.empty()) return "";
+  return fmt::format(
+      "Left out: {} for {}, whose unit is not known; \"cd_m2_per_unit\" in the study would say it.", metrics,
+      inputs);
+}
+
+/// A metric's name with an arrow to where better values of its first quantity lie.
+std::string with_arrow(const Metric& metric) {
+  const Better better = metric.quantities.front().better;
+  return metric.name + (better == Better::kHigher ? " ↑" : better == Better::kLower ? " ↓" : "");
+}
+
+/// Of inputs of different sizes nothing but time for a number of pixels can be compared.
+constexpr const char* kTimeHeading = "ms/Mpx";
+
+ReportSection summary_section(const BatchPlan& plan, const ResultTable& means) {
+  ReportSection section{"Operators in short", {}, {}};
+  std::vector<WideColumn> columns{{"items", "items"}};
+  for (const Metric* metric : plan.metrics)
+    columns.push_back({metric->quantities.front().name, with_arrow(*metric)});
+  columns.push_back({"ms_per_megapixel", kTimeHeading});
+  section.blocks.emplace_back(wide_table(
+      means, {"operator"}, columns,
+      "First quantity of each metric (↑ higher, ↓ lower is better), mean over the operator's items; "
+      "time: median of fit and mapping over items, a fit for several views shared among them"));
+  if (const std::string note = left_out_text(plan); !note.empty())
+    section.blocks.emplace_back(Paragraph{note});
+  return section;
+}
+
+ReportSection mapping_section(const ResultTable& means) {
+  ReportSection section{"What the mapping changed", {}, {}};
+  section.blocks.emplace_back(wide_table(means, {"operator"},
+                                         {{"mean_luma", "mean luma"},
+                                          {"clipped_high", "cut to 1 [values]"},
+                                          {"clipped_low", "cut to 0 [values]"},
+                                          {"floored_pixels", "luminance 0 [px]"},
+                                          {"repaired_nan", "NaN [values]"},
+                                          {"repaired_infinite", "infinite [values]"},
+                                          {"repaired_negative", "negative [values]"},
+                                          {"left_out_pixels", "not measured [px]"}},
+                                         "Means over items: nothing is cut, repaired or left out silently"));
+  return section;
+}
+
+ReportTable quantity_table(const Metric& metric, const ResultTable& means) {
+  const std::string prefix = metric.name + "_";
+  std::vector<WideColumn> columns;
+  for (const MetricQuantity& quantity : metric.quantities) {
+    const std::string& name = quantity.name;
+    columns.push_back({name, (name.starts_with(prefix) ? name.substr(prefix.size()) : name) +
+                                 (quantity.unit == "1" ? "" : " [" + quantity.unit + "]")});
+  }
+  return wide_table(means, {"operator"}, columns,
+                    fmt::format("Means over items; in results.csv names begin with {}", prefix));
+}
+
+/// Mean over the views of an input, or why there is none.
+Cell mean_cell(const BatchPlan& plan, const Stored& stored, std::size_t input, std::size_t op,
+               const std::string& quantity) {
+  std::vector<const ItemResult*> results;
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    if (plan.items[i].input == input && plan.items[i].op == op && stored[i].state == ItemState::kDone)
+      results.push_back(&stored[i].result);
+  const std::vector<double> values = values_of(results, quantity);
+  if (values.empty()) return std::string(results.empty() ? "failed" : "left out");
+  return mean(values);
+}
+
+ReportTable input_table(const BatchPlan& plan, const Stored& stored, const MetricQuantity& quantity) {
+  ReportTable table{
+      fmt::format("{} of each input, mean over its views ({})", quantity.name, better_text(quantity)),
+      {"input"},
+      {}};
+  for (const BatchOperator& op : plan.operators) table.headings.push_back(op.title());
+  for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
+    std::vector<Cell>& row = table.rows.emplace_back();
+    row.emplace_back(title_of(plan.inputs[input]));
+    for (std::size_t op = 0; op < plan.operators.size(); ++op)
+      row.push_back(mean_cell(plan, stored, input, op, quantity.name));
+  }
+  return table;
+}
+
+/// One point for each operator: medians, with quartiles of the quantity.
+ReportPlot time_plot(const BatchPlan& plan, const Stored& stored, const MetricQuantity& quantity) {
+  ReportPlot plot;
+  std::vector<double> times, values;
+  for (std::size_t op = 0; op < plan.operators.size(); ++op) {
+    const std::vector<const ItemResult*> results = results_of(plan, stored, op);
+    const std::vector<double> all = values_of(results, quantity.name);
+    if (all.empty()) continue;
+    times.push_back(median(milliseconds_per_megapixel(results)));
+    values.push_back(median(all));
+    plot.plot.series.push_back({plan.operators[op].title(),
+                                PlotSeries::Style::kPoints,
+                                {{.x = times.back(),
+                                  .y = values.back(),
+                                  .y_low = quantile(all, 0.25),
+                                  .y_high = quantile(all, 0.75)}}});
+  }
+  const bool ordered = quantity.better == Better::kHigher || quantity.better == Better::kLower;
+  const Goal goal = quantity.better == Better::kHigher ? Goal::kMaximise : Goal::kMinimise;
+  if (ordered) {
+    const std::vector<bool> front = pareto_front(values, goal, times, Goal::kMinimise);
+    for (std::size_t i = 0; i < front.size(); ++i) plot.plot.series[i].points.front().marked = front[i];
+    plot.plot.marked_title = "Pareto front";
+  }
+  plot.plot.x = {.title = "Fit and mapping", .unit = "ms/megapixel", .logarithmic = true};
+  plot.plot.y = {.title = quantity.name, .unit = quantity.unit};
+  plot.plot.key = KeyPosition::kOutside;
+  plot.plot.width_px = 960;  // the key takes a third
+  plot.caption =
+      fmt::format("{} ({}) over run time: medians over the items of each operator, bars are quartiles.",
+                  quantity.name, better_text(quantity));
+  plot.alt = fmt::format("{} of {} operators over their run time.", quantity.name, plot.plot.series.size());
+  return plot;
+}
+
+ReportSection metric_section(const BatchPlan& plan, const Stored& stored, const ResultTable& means,
+                             const Metric& metric, BatchReport& report) {
+  ReportSection section{metric.name, {}, {}};
+  const MetricQuantity& first = metric.quantities.front();
+  section.blocks.emplace_back(Paragraph{fmt::format("{} {}: {}", metric.summary, first.name, first.meaning)});
+  ReportPlot plot = time_plot(plan, stored, first);
+  if (!plot.plot.series.empty()) {
+    report.plots.emplace_back(metric.name + "-over-time", plot.plot);
+    section.blocks.emplace_back(std::move(plot));
+  }
+  section.blocks.emplace_back(input_table(plan, stored, first));
+  if (metric.quantities.size() > 1) section.blocks.emplace_back(quantity_table(metric, means));
+  return section;
+}
+
+}  // namespace
+
+BatchReport batch_report(const BatchPlan& plan, const Stored& stored, const Provenance& provenance) {
+  BatchReport report;
+  const ResultTable means = operator_rows(plan, stored);
+  report.page.title = plan.study.title;
+  report.page.subtitle = fmt::format("{} inputs by {} operators, measured by {} metrics.", plan.inputs.size(),
+                                     plan.operators.size(), plan.metrics.size());
+  report.page.key_figures = key_figures(plan, stored);
+  if (count_of(stored, ItemState::kFailed) > 0) report.page.sections.push_back(failure_section(plan, stored));
+  report.page.sections.push_back(summary_section(plan, means));
+  for (const Metric* metric : plan.metrics)
+    report.page.sections.push_back(metric_section(plan, stored, means, *metric, report));
+  report.page.sections.push_back(mapping_section(means));
+  report.page.provenance = provenance;
+  return report;
+}
+
+}  // namespace plenolab

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "experiments/batch/item_result.h"
+
+namespace plenolab {
+
+/// How the items of a batch are computed.
+struct BatchRun {
+  std::filesystem::path folder;  ///< of the results
+  std::filesystem::path cache;   ///< of rendered views
+  BatchShard shard;
+  int threads = 0;
+  Progress progress;                                   ///< of the items that are to be computed
+  std::function<void(const std::string&)> on_stage;    ///< what is done now
+  std::function<void(const std::string&)> on_damaged;  ///< an item's file that is computed again
+};
+
+/// What a run found and did, in items of its shard.
+struct BatchTally {
+  std::size_t items = 0, there = 0, computed = 0, failed = 0;
+};
+
+/// Throws InputError if the folder of results holds anything and no batch: nothing is mixed with other files.
+void require_batch_folder(const std::filesystem::path& folder);
+
+/// Computes every item of the shard that is not there yet, input by input, so that each input is rendered or
+/// read once, and stores each as soon as it is known. Items that fail are stored as such and do not stop the
+/// others. Timed mapping has the machine for itself; the metrics of small images run side by side, those of
+/// large ones one after the other on all threads. Results do not depend on threads, shards or interruptions.
+/// Throws InputError if a result cannot be written.
+BatchTally run_batch(const BatchPlan& plan, const BatchRun& run);
+
+/// What stands on disk for each item of the plan, in its order.
+std::vector<StoredItem> read_items(const BatchPlan& plan, const std::filesystem::path& folder);
+
+}  // namespace plenolab
