@@ -350,7 +350,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.add_option(
          "source", options->source,
          "Scene id, or: synthesis: folder of a light field, every other view of which is held out as "
-         "truth; bilateral, histogram, drim, optimise: image with radiance; adjustment: folder of a light field; "
+         "truth; bilateral, histogram, drim, optimise: image with radiance; adjustment: folder of a light "
+         "field; "
          "reprojection: "
          "scenes only; luminance: pillars, sphere, or folder with display.json; lut: walk, or an image")
       ->required();

@@ -131,6 +131,9 @@ ReproductionResult reproduce_claim_z5(Laboratory& laboratory);
 ReproductionResult reproduce_claim_z6(Laboratory& laboratory);
 ReproductionResult reproduce_claim_z7(Laboratory& laboratory);
 
+ReproductionResult reproduce_linear_and_designed(Laboratory& laboratory);
+ReproductionResult reproduce_adapted_slopes(Laboratory& laboratory);
+ReproductionResult reproduce_lut_storage(Laboratory& laboratory);
 ReproductionResult reproduce_natural_histograms(Laboratory& laboratory);
 ReproductionResult reproduce_game_histograms(Laboratory& laboratory);
 ReproductionResult reproduce_pq_curve(Laboratory& laboratory);
@@ -288,6 +291,10 @@ std::span<const Reproduction> reproductions() {
       Reproduction{"doronin-claim-d7",
                    "Claim D-7: All is worst in Sphere, Accumulative slightly better in Pillars",
                    Chapter::kLuminance, reproduce_claim_d7},
+      Reproduction{"zhao-fig-1", "Figure 1: linear against designed tone mapping", Chapter::kOptimisation,
+                   reproduce_linear_and_designed},
+      Reproduction{"zhao-fig-3", "Figure 3: slopes of the content adaptive operator", Chapter::kOptimisation,
+                   reproduce_adapted_slopes},
       Reproduction{"zhao-table-1", "Table 1: parameters of the generic operator", Chapter::kOptimisation,
                    reproduce_generic_parameters},
       Reproduction{"zhao-fig-5", "Figure 5: histograms of photographs", Chapter::kOptimisation,
@@ -310,6 +317,8 @@ std::span<const Reproduction> reproductions() {
                    Chapter::kOptimisation, reproduce_claim_z2},
       Reproduction{"zhao-claim-z3", "Claim Z-3: a better no-reference score in every scene",
                    Chapter::kOptimisation, reproduce_claim_z3},
+      Reproduction{"zhao-fig-12", "Figure 12: ways of storing look-up tables", Chapter::kLuts,
+                   reproduce_lut_storage},
       Reproduction{"zhao-fig-23", "Figure 23: looks by colour transfer", Chapter::kLuts,
                    reproduce_colour_transfer},
       Reproduction{"zhao-fig-24", "Figure 24: a walk through three volumes", Chapter::kLuts, reproduce_walk},
