@@ -129,8 +129,8 @@ ReproductionResult reproduce_claim_z4(Laboratory& laboratory) {
     return mean_error(bench, method, GradeReference::kByObject, inside);
   };
   result.differs = fmt::format(
-      "{}. Two things favour the pixel-based blend: the volume ahead is judged from the same pixels, and its "
-      "table is the mean of the tables of the image mixed by pixel. How much is gained depends on the walk: "
+      "{}. Two things favour the pixel-based blend: the volume ahead is judged from the same pixels, and the "
+      "blend is the mean of the tables of the image mixed by pixel. How much is gained depends on the walk: "
       "with the camera in a volume, where the linear method shows that volume's table unmixed, the "
       "difference "
       "to the image mixed by object is {:.2f} (linear) and {:.2f} (pixel-based). Between volumes only the "
