@@ -348,9 +348,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
       "drim: scale of the images and orientations. "
       "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
-      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables; "
-      "for "
-      "walk also down-scaling of pixel counting.\n"
+      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables, "
+      "for walk also down-scaling of pixel counting.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });

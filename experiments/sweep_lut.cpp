@@ -143,9 +143,11 @@ ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, cons
     DisplayImage truth;
     std::vector<SweepOutcome> outcomes{run_exactly(picture, chain, truth, run)};
     step();
+    std::vector<Lut> tables;
+    for (const int size : kSizes) tables.push_back(bake_lut(size, chain.exact));
     for (const auto interpolation : {LutInterpolation::kTrilinear, LutInterpolation::kTetrahedral})
-      for (const int size : kSizes) {
-        outcomes.push_back(run_table(picture, truth, bake_lut(size, chain.exact), interpolation, run));
+      for (const Lut& lut : tables) {
+        outcomes.push_back(run_table(picture, truth, lut, interpolation, run));
         step();
       }
     add_outcome_rows(table, {{"picture", name}, {"chain", chain.name}}, outcomes);

@@ -246,20 +246,20 @@ ReproductionResult reproduce_counting_times(Laboratory& laboratory) {
                after =
                    seconds_of(times, "blending of four tables") + seconds_of(times, "grading, all threads");
   result.paper_shows =
-      "Table 3: counting pixels takes 0.2187 s on the CPU at 1920 × 1080, 0.0038 to 0.0067 s at an eighth of "
-      "the resolution, 0.003 to 0.0062 s on the GPU at any; the mixed image takes 0.2087 to 0.2264 s.";
+      "Table 3: counting pixels takes 0.2187 s on the CPU at 1920 × 1080, 0.0038 to 0.0067 s at an eighth "
+      "of the resolution, 0.003 to 0.0062 s on the GPU at any; the mixed image takes 0.2087 to 0.2264 s.";
   result.ours_shows = fmt::format(
       "On the CPU, at {} × {}: {:.1f} ms pixel by pixel on one thread, {:.2f} ms vectorised on all; the "
-      "mixed "
-      "image takes {:.0f} ms, {:.1f} times as long as counting, blending and grading together ({:.1f} ms).",
+      "mixed image takes {:.0f} ms, {:.1f} times as long as counting, blending and grading together ({:.1f} "
+      "ms).",
       frame.depth_m.width(), frame.depth_m.height(), 1000 * loop, 1000 * fast, 1000 * mixed,
       mixed / (fast + after), 1000 * (fast + after));
   const double saved = fast - seconds_of(times, "vectorised, all threads", 8);
   result.differs = fmt::format(
       "Machines and languages differ (a script of a game engine on a Core i7-4770K there), so that ratios "
-      "count. Vectorised counting at full resolution {} than the printed times of the GPU, and down-scaling, "
-      "which costs up to {:.3f}, {:.3f} and {:.3f} of a weight at ½, ¼ and ⅛ on our walk, saves {} than the "
-      "grading costs that follows anyway.",
+      "count. Vectorised counting at full resolution {} than the printed times of the GPU, and "
+      "down-scaling, which costs up to {:.3f}, {:.3f} and {:.3f} of a weight at ½, ¼ and ⅛ on our walk, "
+      "saves {} than the grading costs that follows anyway.",
       fast < printed("GPU", 1)->low_s ? "is faster" : "is not faster", errors[0], errors[1], errors[2],
       saved < after ? "less" : "more");
   result.add_plot("time-over-pixels", {time_plot(frame, times), "Time of counting over the number of pixels",
@@ -297,15 +297,13 @@ ReproductionResult reproduce_claim_z5(Laboratory& laboratory) {
   verdict.scenes = {"walk"};
   verdict.explanation = fmt::format(
       "Time of counting pixel by pixel grows as pixels to the power of {}; the threshold lies half-way "
-      "between "
-      "the exponents of the printed times of CPU ({:.2f}) and GPU ({:.2f}).",
+      "between the exponents of the printed times of CPU ({:.2f}) and GPU ({:.2f}).",
       interval_text(p), cpu, gpu);
   result.paper_shows =
       "Table 3 and its text: in the GPU method resolution is no bottleneck, in the CPU method it is.";
   result.ours_shows = fmt::format(
       "With time ∝ pixels^p over resolutions from 1 to ⅛: p = {} pixel by pixel on one thread, {} "
-      "vectorised; "
-      "the printed times have {:.2f} (CPU) and {:.2f} (GPU).",
+      "vectorised; the printed times have {:.2f} (CPU) and {:.2f} (GPU).",
       interval_text(p), interval_text(q), cpu, gpu);
   result.differs = fmt::format("{} That of the GPU cannot be decided without one.",
                                verdict.outcome == Outcome::kConfirmed
