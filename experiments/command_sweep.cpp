@@ -195,7 +195,7 @@ ResultTable run_lut_sweep(const SweepOptions& options, const fs::path& folder) {
   const DisplayImage picture = picture_of(options);
   ProgressBar bar("sweep");
   ResultTable table = sweep_lut(name, picture, run_of(options, bar));
-  write_sweep_plot(table, lut_sweep_plot(), name, folder);
+  write_plot(plot_lut_sweep(table), folder / fmt::format("sweep-{}", name));
   if (options.source != kWalk) return table;
   ProgressBar counting_bar("counting");
   const ResultTable counting = sweep_pixel_counting(run_of(options, counting_bar));

@@ -153,7 +153,7 @@ TEST(SweepLut, ErrorsFallWithTheSizeOfTheTable) {
       EXPECT_GT(errors[first], 0.01) << chain;
     }
   }
-  EXPECT_NO_THROW(plot_sweep(table, lut_sweep_plot()).validate());
+  EXPECT_NO_THROW(plot_lut_sweep(table).validate());
 }
 
 }  // namespace
