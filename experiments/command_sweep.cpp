@@ -208,7 +208,7 @@ ResultTable run_lut_sweep(const SweepOptions& options, const fs::path& folder) {
   const DisplayImage picture = picture_of(options);
   ProgressBar bar("sweep");
   ResultTable table = sweep_lut(name, picture, run_of(options, bar));
-  write_sweep_plot(table, lut_sweep_plot(), name, folder);
+  write_plot(plot_lut_sweep(table), folder / fmt::format("sweep-{}", name));
   if (options.source != kWalk) return table;
   ProgressBar counting_bar("counting");
   const ResultTable counting = sweep_pixel_counting(run_of(options, counting_bar));
@@ -373,9 +373,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       "the "
       "search. "
       "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
-      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables; "
-      "for "
-      "walk also down-scaling of pixel counting.\n"
+      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables, "
+      "for walk also down-scaling of pixel counting.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
       "          plenolab sweep bilateral view.exr");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });

@@ -131,9 +131,8 @@ SweepOutcome run_counting(const WalkStage& stage, std::vector<CountedFrame>& fra
 }  // namespace
 
 ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, const SweepRun& run) {
-  const std::vector<ColourChain> chains{
-      {"colour correction", grade_chain},
-      {"colour transfer", make_walk_look(kCandleLight, picture).transfer.exact}};
+  const std::vector<ColourChain> chains{{"correction", grade_chain},
+                                        {"transfer", make_walk_look(kCandleLight, picture).transfer.exact}};
   ResultTable table;
   double done = 0;
   const auto step = [&] {
@@ -143,9 +142,11 @@ ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, cons
     DisplayImage truth;
     std::vector<SweepOutcome> outcomes{run_exactly(picture, chain, truth, run)};
     step();
+    std::vector<Lut> tables;
+    for (const int size : kSizes) tables.push_back(bake_lut(size, chain.exact));
     for (const auto interpolation : {LutInterpolation::kTrilinear, LutInterpolation::kTetrahedral})
-      for (const int size : kSizes) {
-        outcomes.push_back(run_table(picture, truth, bake_lut(size, chain.exact), interpolation, run));
+      for (const Lut& lut : tables) {
+        outcomes.push_back(run_table(picture, truth, lut, interpolation, run));
         step();
       }
     add_outcome_rows(table, {{"picture", name}, {"chain", chain.name}}, outcomes);
@@ -153,8 +154,10 @@ ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, cons
   return table;
 }
 
-SweepPlotDesign lut_sweep_plot() {
-  return {"mean_delta_e", "Mean ΔE*ab", "1", {"chain", "interpolation"}, "size"};
+Plot plot_lut_sweep(const ResultTable& rows) {
+  Plot plot = plot_sweep(rows, {"mean_delta_e", "Mean ΔE*ab", "1", {"chain", "interpolation"}, "size"});
+  plot.width_px = 1000;
+  return plot;
 }
 
 ResultTable sweep_pixel_counting(const SweepRun& run) {

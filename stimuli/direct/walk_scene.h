@@ -10,8 +10,8 @@ namespace plenolab {
 
 /// A scene to walk through, for methods that colour pictures by the place they show: three buildings with
 /// moods of their own (a corridor, a hall, a garden house) two metres apart in an open park, joined by a
-/// carpet, a pipe and a pergola that reach from one into the next. x to the right, y ahead, z up; the walk
-/// begins in the corridor and goes along +y into the hall, then along +x into the garden house.
+/// carpet, a pipe, a pergola and a bench that reach from one into the next. x to the right, y ahead, z up;
+/// the walk begins in the corridor and goes along +y into the hall, then along +x into the garden house.
 
 /// A building with everything between its walls.
 struct WalkRoom {

@@ -121,10 +121,7 @@ TEST_F(LutCommand, WrongUseAndBadFilesAreToldApartAndLeaveNothing) {
 TEST_F(LutCommand, TheSweepGivesErrorAgainstTimeOfTablesForAPicture) {
   const std::vector<std::string> sweep{"sweep", "lut", path("picture.png"), "--runs",
                                        "1",     "-o",  path("sweep")};
-  const double none = value_of(sweep, "mean_delta_e", "interpolation", "none"),
-               coarse = value_of(sweep, "mean_delta_e", "interpolation", "tetrahedral");
-  EXPECT_EQ(none, 0);
-  EXPECT_GT(coarse, 0);
+  EXPECT_GT(value_of(sweep, "mean_delta_e", "interpolation", "tetrahedral"), 0);
   EXPECT_TRUE(fs::exists(path("sweep/sweep-picture.svg")));
   EXPECT_EQ(run_program({"sweep", "lut", path("absent.png")}).status, 1);
 }

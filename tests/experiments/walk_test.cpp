@@ -72,7 +72,8 @@ TEST(Walk, FastCountsOfItsFramesAreThoseOfTheLiteralAlgorithm) {
     const WalkFrame frame = stage.surfaces(pose, 160, 90);
     const VolumeCounts counts = count_pixels(frame.depth_m, pose.camera, stage.volumes());
     std::vector<std::int64_t> literal(stage.volumes().size());
-    for (const int v : volume_of_pixels(frame.depth_m, pose.camera, stage.volumes()).pixels())
+    const Plane<int> volume = volume_of_pixels(frame.depth_m, pose.camera, stage.volumes());
+    for (const int v : volume.pixels())
       if (v >= 0) ++literal[static_cast<std::size_t>(v)];
     for (std::size_t v = 0; v < literal.size(); ++v)
       EXPECT_NEAR(static_cast<double>(counts.volumes[v]), static_cast<double>(literal[v]), 3) << pose.leg;
@@ -152,7 +153,7 @@ TEST(SweepLut, ErrorsFallWithTheSizeOfTheTable) {
       EXPECT_GT(errors[first], 0.01) << chain;
     }
   }
-  EXPECT_NO_THROW(plot_sweep(table, lut_sweep_plot()).validate());
+  EXPECT_NO_THROW(plot_lut_sweep(table).validate());
 }
 
 }  // namespace

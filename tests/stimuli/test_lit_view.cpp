@@ -79,7 +79,7 @@ TEST(WalkScene, RoomsAreApartAndSomeObjectsReachFromOneIntoTheNext) {
       });
     crossing += rooms > 1 ? 1 : 0;
   }
-  EXPECT_EQ(crossing, 4) << "carpet, pipe, pergola, long bench";
+  EXPECT_EQ(crossing, 5) << "carpet, pipe, pergola, long bench, path";
 }
 
 }  // namespace

@@ -111,8 +111,8 @@ ReproductionResult reproduce_claim_z6(Laboratory& laboratory) {
                                    uncertainty_over(measured.ratio.size(), "rounds"));
     verdict.scenes = {"walk"};
     verdict.explanation = fmt::format(
-        "On one thread the chain takes {} times as long as grading the same picture by a table of 32³ nodes; "
-        "half of the printed 100 counts as about 100.",
+        "On one thread the chain takes {} times as long as grading the same picture by a table of 32³ "
+        "nodes; half of the printed 100 counts as about 100.",
         interval_text(ratio));
     shown += fmt::format("{}{:.3g} ({})", shown.empty() ? "" : ", ", ratio.estimate, chain.name);
     outcomes +=
@@ -125,10 +125,9 @@ ReproductionResult reproduce_claim_z6(Laboratory& laboratory) {
   result.ours_shows = fmt::format("Times as long as grading by a table, on one thread: {}.", shown);
   result.differs = fmt::format(
       "{}. The printed number counts operations to make the table of 32³ nodes against those of every pixel "
-      "of "
-      "a frame, as if looking up cost nothing; interpolating between nodes for every pixel is work as well, "
-      "so "
-      "that the gain is that of the chain's cost over the look-up's, and only costly chains reach 100.",
+      "of a frame, as if looking up cost nothing; interpolating between nodes for every pixel is work as "
+      "well, so that the gain is that of the chain's cost over the look-up's, and only costly chains reach "
+      "100.",
       outcomes);
   result.add_table(std::move(times));
   return result;

@@ -55,6 +55,7 @@ ReportPlot gain_plot(WalkBench& bench) {
   plot.x = {.title = "Frame of the walk"};
   plot.y = {.title = "ΔE*ab of linear less pixel-based"};
   plot.key = KeyPosition::kOutside;
+  plot.width_px = 860;
   for (const GradeReference reference :
        {GradeReference::kAhead, GradeReference::kMost, GradeReference::kByObject}) {
     PlotSeries series{fmt::format("to {}", name_of(reference)), PlotSeries::Style::kLinesPoints, {}};
@@ -129,12 +130,11 @@ ReproductionResult reproduce_claim_z4(Laboratory& laboratory) {
     return mean_error(bench, method, GradeReference::kByObject, inside);
   };
   result.differs = fmt::format(
-      "{}. Two things favour the pixel-based blend: the volume ahead is judged from the same pixels, and its "
-      "table is the mean of the tables of the image mixed by pixel. How much is gained depends on the walk: "
-      "with the camera in a volume, where the linear method shows that volume's table unmixed, the "
-      "difference "
-      "to the image mixed by object is {:.2f} (linear) and {:.2f} (pixel-based). Between volumes only the "
-      "pixel-based blend knows where the walker looks.",
+      "{}. Two things favour the pixel-based blend: the volume ahead is judged from the same pixels, and "
+      "the blend is the mean of the tables of the image mixed by pixel. How much is gained depends on the "
+      "walk: with the camera in a volume, where the linear method shows that volume's table unmixed, the "
+      "difference to the image mixed by object is {:.2f} (linear) and {:.2f} (pixel-based). Between volumes "
+      "only the pixel-based blend knows where the walker looks.",
       outcomes, inside_error(BlendMethod::kLinear), inside_error(BlendMethod::kPixel));
   add_table(result, bench);
   result.add_plot("gain-over-the-walk", gain_plot(bench));

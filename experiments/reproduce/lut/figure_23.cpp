@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/lut/grade.h"
 #include "experiments/reproduce/lut/lut_tools.h"
 
 namespace plenolab {
@@ -25,23 +26,16 @@ ReproductionResult reproduce_colour_transfer(Laboratory& laboratory) {
     const Columns columns{{"look", look.name}, {"place", look.place}};
     result.rows.add({"colour_distance_before", before, "CIELAB units", columns});
     result.rows.add({"colour_distance_after", after, "CIELAB units", columns});
-    const int index = static_cast<int>(&look - bench.looks().data());
-    const WalkFrame* frame = nullptr;
-    for (const WalkFrame& f : bench.frames())
-      if (f.picture == look.source) frame = &f;
-    result.add_comparison(
-        fmt::format("look-{}", index + 1),
-        {fmt::format("The look '{}' of the {}", look.name, look.place),
-         "A frame of the walk, a palette, and the frame with the palette's colours.",
-         {{"Input", look.source},
-          {"Palette", look.palette},
-          {"Result", bench.graded_by(static_cast<std::size_t>(frame - bench.frames().data()),
-                                     index < static_cast<int>(bench.tables().size()) ? index : -1)}}});
+    result.add_comparison(fmt::format("look-{}", 1 + (&look - bench.looks().data())),
+                          {fmt::format("The look '{}' of the {}", look.name, look.place),
+                           "A frame of the walk, the frame with the palette's colours, and the palette.",
+                           {{"Input", look.source},
+                            {"Result", PreparedLut(look.transfer.lut).grade(look.source).image},
+                            {"Palette", look.palette}}});
   }
   result.paper_shows =
-      "Figure 23: frames of a game take the colours of reference pictures by automatic colour transfer "
-      "(Pitié "
-      "and Kokaram, in CIELAB); the results become the tables of the volumes.";
+      "Figure 23: frames of a game take the colours of reference pictures by automatic colour transfer (in "
+      "CIELAB, after Pitié and Kokaram); the results become the tables of the volumes.";
   result.ours_shows = fmt::format(
       "Four palettes are transferred to frames of our walk; {:.0f} to {:.0f} % of the distance between the "
       "distributions of colours is left.",
@@ -49,8 +43,7 @@ ReproductionResult reproduce_colour_transfer(Laboratory& laboratory) {
   result.differs =
       "The references of the thesis are pictures of a game and not public: ours are painted palettes with "
       "three anchor colours and a spread. The volumes' looks are applied at 75 %, the background's at 40 %, "
-      "so "
-      "that objects keep some colour of their own; that share is not transferred on purpose. The tables are "
+      "to leave objects some colour of their own; that share is not transferred on purpose. The tables are "
       "baked from the transfer itself, without a detour over a picture of nodes graded in another program.";
   result.add_table(std::move(table));
   return result;

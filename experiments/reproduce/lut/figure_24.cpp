@@ -123,14 +123,11 @@ ReproductionResult reproduce_walk(Laboratory& laboratory) {
   add_weight_rows(result, bench);
   result.paper_shows =
       "Figure 24: a demo scene with three post-processing volumes and a background; the player stands "
-      "between "
-      "two of them and looks round.";
+      "between two of them and looks round.";
   result.ours_shows = fmt::format(
       "Our walk has {} frames through a corridor, a hall and a garden house, with two full turns between "
-      "them. "
-      "While the walker stands and turns, the linear weights move by {:.2f} in all and the pixel-based ones "
-      "by "
-      "{:.1f} (1 is a whole table's worth).",
+      "them. While the walker stands and turns, the linear weights move by {:.2f} in all and the "
+      "pixel-based ones by {:.1f} (1 is a whole table's worth).",
       bench.frames().size(), linear, pixel);
   result.differs =
       "The scene of the thesis is a bought one; ours is modelled for the purpose, with a carpet, a pipe, a "

@@ -108,30 +108,33 @@ Owners owners_in(WalkBench& bench, const WalkFrame& frame) {
   return owners;
 }
 
-/// The frame that is divided most: whose largest share is least.
+/// Of the frames in which the walker turns the one that is divided most: whose largest share is least.
 std::size_t most_divided(WalkBench& bench) {
-  const auto largest_share = [](const WalkBench::Score& score) {
-    return std::max(score.pixel.background, *std::ranges::max_element(score.pixel.volumes));
-  };
-  return static_cast<std::size_t>(std::ranges::min_element(bench.scores(), {}, largest_share) -
-                                  bench.scores().begin());
+  const std::vector<std::size_t> turning = turning_frames(bench);
+  return *std::ranges::min_element(turning, {}, [&](std::size_t i) {
+    const VolumeWeights& weights = bench.scores()[i].pixel;
+    return std::max(weights.background, *std::ranges::max_element(weights.volumes));
+  });
 }
 
 void add_mixed(ReproductionResult& result, WalkBench& bench, std::size_t frame, std::size_t number) {
   const WalkFrame& f = bench.frames()[frame];
   const Owners owners = owners_in(bench, f);
   ImageComparison comparison{
-      fmt::format("Frame {}, of the leg '{}'", frame, f.pose.leg),
-      "Depth, volumes by pixel and by object, the frame graded by each table, mixed and blended.",
-      {{"Depth", depth_picture(f.depth_m)},
+      fmt::format(
+          "Frame {}, of the leg '{}'. Volumes: corridor blue, hall orange, garden house green, background "
+          "grey",
+          frame, f.pose.leg),
+      "The frame mixed, blended, and graded by each table, with its depth and volumes.",
+      {{"Mixed by object", bench.reference(frame, GradeReference::kByObject)},
+       {"Pixel-based", bench.graded(frame, BlendMethod::kPixel)},
+       {"Linear", bench.graded(frame, BlendMethod::kLinear)},
+       {"Mixed by pixel", bench.reference(frame, GradeReference::kByPixel)},
+       {"Depth", depth_picture(f.depth_m)},
        {"Volume by pixel", map_of(owners.by_pixel)},
        {"Volume by object", map_of(owners.by_object)}}};
   for (int v = -1; v < static_cast<int>(bench.tables().size()); ++v)
     comparison.images.push_back({fmt::format("Table of {}", bench.place(v)), bench.graded_by(frame, v)});
-  comparison.images.push_back({"Mixed by object", bench.reference(frame, GradeReference::kByObject)});
-  comparison.images.push_back({"Mixed by pixel", bench.reference(frame, GradeReference::kByPixel)});
-  comparison.images.push_back({"Pixel-based", bench.graded(frame, BlendMethod::kPixel)});
-  comparison.images.push_back({"Linear", bench.graded(frame, BlendMethod::kLinear)});
   result.add_comparison(fmt::format("mixed-{}", number), std::move(comparison));
 }
 
@@ -145,18 +148,15 @@ ReproductionResult reproduce_turns(Laboratory& laboratory) {
                pixel = mean_error(bench, BlendMethod::kPixel, GradeReference::kAhead, turning);
   result.paper_shows =
       "Figure 25: while the player looks round between two volumes, pixel-based frames come closer to the "
-      "frame "
-      "graded by the table of the volume in front; linear ones hardly change.";
+      "frame graded by the table of the volume in front; linear ones hardly change.";
   result.ours_shows = fmt::format(
       "Mean ΔE*ab to the frame graded by the volume ahead: {} while the walker stands and turns, {} in the "
       "other frames.",
       error_text(bench, GradeReference::kAhead, turning), error_text(bench, GradeReference::kAhead, walking));
   result.differs = fmt::format(
       "{} The thesis shows pictures and measures nothing. What counts as the volume in front is not said: "
-      "here "
-      "it is the one that most pixels of the middle ninth of the picture show, be it the background; the "
-      "volume "
-      "of most pixels of the whole picture would favour the counting of pixels by definition.",
+      "here it is the one that most pixels of the middle ninth of the picture show, be it the background; "
+      "the volume of most pixels of the whole picture would favour the counting of pixels by definition.",
       pixel < linear ? "As in the thesis, pixel-based frames are closer while the walker turns."
                      : "Other than in the thesis, pixel-based frames are not closer while the walker turns.");
   const auto turns = turns_of(bench);
@@ -178,17 +178,15 @@ ReproductionResult reproduce_mixed_images(Laboratory& laboratory) {
   result.rows.add({"reassigned_share", mean(reassigned), "1", {}});
   result.paper_shows =
       "Figure 26: the mixed image, stitched from frames graded by each table, has diverse colours with "
-      "strong "
-      "contrast between its parts; the pixel-based blend keeps one mood.";
+      "strong contrast between its parts; the pixel-based blend keeps one mood.";
   result.ours_shows = fmt::format(
       "Mean ΔE*ab over the walk to the image mixed by object is {}, to the one mixed by pixel {}. Objects "
-      "that "
-      "cross volumes give {:.1f} % of all pixels another table than their place would.",
+      "that cross volumes give {:.1f} % of all pixels another table than their place would.",
       error_text(bench, GradeReference::kByObject, all), error_text(bench, GradeReference::kByPixel, all),
       100 * mean(reassigned));
   result.differs =
-      "The thesis compares by eye. Which volume holds most of an object is decided here by its pixels in the "
-      "picture, so that it may change along the walk.";
+      "The thesis compares by eye. Which volume holds most of an object is decided here by its pixels in "
+      "the picture, so that it may change along the walk.";
   const auto crossing = static_cast<std::size_t>(std::ranges::max_element(reassigned) - reassigned.begin());
   add_mixed(result, bench, crossing, 1);
   if (most_divided(bench) != crossing) add_mixed(result, bench, most_divided(bench), 2);

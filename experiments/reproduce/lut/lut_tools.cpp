@@ -57,6 +57,7 @@ ReportPlot walk_error_plot(WalkBench& bench, const std::vector<GradeReference>& 
   plot.x = {.title = "Frame of the walk", .unit = ""};
   plot.y = {.title = "Mean colour difference ΔE*ab", .unit = "", .minimum = 0};
   plot.key = KeyPosition::kOutside;
+  plot.width_px = 860;
   for (const GradeReference reference : references)
     for (const BlendMethod method : {BlendMethod::kLinear, BlendMethod::kPixel}) {
       PlotSeries series{

@@ -101,8 +101,7 @@ double decide_dark(ReproductionResult& result, const char* id, const char* state
                                  "1", "none: computed from the definitions");
   verdict.explanation = fmt::format(
       "Between 0.1 and 1 cd/m² PQ has {:.1f} 10-bit codes and {} {:.1f}; below 0.01 cd/m² they have {:.1f} "
-      "and "
-      "{:.1f}.",
+      "and {:.1f}.",
       pq, gamma.name, other, codes_in(kCodings[0], kBands[0]), codes_in(gamma, kBands[0]));
   conclude(result, {id, "Zhao 2019, section 2.3", statement}, std::move(verdict));
   return ratio;
@@ -120,13 +119,11 @@ ReproductionResult reproduce_claim_z7(Laboratory&) {
                   "PQ keeps more codes in the dark than gamma 2.4 on its display of 100 cd/m².", kCodings[1]);
   result.paper_shows =
       "Section 2.3 and figure 7: PQ is more sensitive in the dark than gamma 2.4, below 0.01 cd/m² above "
-      "all, "
-      "and shows what is brighter than 100 cd/m² as well.";
+      "all, and shows what is brighter than 100 cd/m² as well.";
   result.ours_shows = fmt::format(
       "Between 0.1 and 1 cd/m² PQ has {:.2f} times the codes of gamma 2.4 at the same peak of 10000 cd/m², "
-      "and "
-      "{:.2f} times those at a peak of 100 cd/m². At 0.1 cd/m² PQ spends {:.2f} codes on a just noticeable "
-      "difference, gamma {:.2f} and {:.2f}.",
+      "and {:.2f} times those at a peak of 100 cd/m². At 0.1 cd/m² PQ spends {:.2f} codes on a just "
+      "noticeable difference, gamma {:.2f} and {:.2f}.",
       equal, unequal, codes_per_jnd(kCodings[0], 0.1), codes_per_jnd(kCodings[3], 0.1),
       codes_per_jnd(kCodings[1], 0.1));
   result.differs = fmt::format(

@@ -91,7 +91,7 @@ TEST(MixedImage, DepthsThatAreNoneTakeTheBackground) {
   EXPECT_EQ(counts.volumes[0], 2);
   EXPECT_EQ(counts.background, 4);
   // An object part of which has no depth goes with the rest of it.
-  EXPECT_EQ(volume_of_objects(volume, row_of({1, -1, 1, 1, -1, 1}), 1), row_of({0, -1, -1, -1, -1, -1}))
+  EXPECT_EQ(volume_of_objects(volume, row_of({1, -1, 1, 1, -1, 1}), 1), row_of({-1, -1, -1, -1, -1, -1}))
       << "two against two: the background";
 }
 
