@@ -120,6 +120,12 @@ void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
   ResultTable notes;
   const ComparisonConditions conditions = conditions_of(options, notes);
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
+  provenance.parameters["metric"] = options.search.quantity;
+  provenance.parameters["shrink"] = options.search.shrink;
+  provenance.parameters["children"] = options.search.evolution.children;
+  provenance.parameters["iterations"] = options.search.evolution.most_iterations;
+  provenance.parameters["deviation"] = options.search.evolution.deviation;
+  provenance.parameters["relative"] = options.relative;
   ProgressBar bar("optimising");
   const ToneOptimisation found =
       optimise_tones(*view.colour, conditions, options.search, [&](const EvolutionStep& step) {
