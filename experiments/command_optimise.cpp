@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "analysis/plot.h"
@@ -108,6 +110,26 @@ ComparisonConditions conditions_of(const OptimiseOptions& options, ResultTable& 
   return conditions;
 }
 
+void record_search(Provenance& provenance, const ToneOptimisationOptions& search) {
+  provenance.parameters["metric"] = search.quantity;
+  provenance.parameters["shrink"] = search.shrink;
+  provenance.parameters["children"] = search.evolution.children;
+  provenance.parameters["iterations"] = search.evolution.most_iterations;
+  provenance.parameters["deviation"] = search.evolution.deviation;
+  provenance.parameters["relative"] = search.evolution.relative_deviation;
+}
+
+ToneOptimisation optimise_with_progress(const SceneImage& image, const ComparisonConditions& conditions,
+                                        const ToneOptimisationOptions& search) {
+  ProgressBar bar("optimising");
+  const ToneOptimisation found = optimise_tones(image, conditions, search, [&](const EvolutionStep& step) {
+    bar.update(static_cast<double>(step.iteration) / std::max(1, search.evolution.most_iterations));
+    bar.remark(fmt::format("{} {:.4g}", search.quantity, std::abs(step.score)));
+  });
+  bar.clear();
+  return found;
+}
+
 void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
   OptimiseOptions options = given;
   check_quantity(options.search.quantity);
@@ -120,14 +142,9 @@ void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
   ResultTable notes;
   const ComparisonConditions conditions = conditions_of(options, notes);
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
-  ProgressBar bar("optimising");
-  const ToneOptimisation found =
-      optimise_tones(*view.colour, conditions, options.search, [&](const EvolutionStep& step) {
-        bar.update(static_cast<double>(step.iteration) / options.search.evolution.most_iterations);
-        bar.remark(fmt::format("{} {:.4g}", options.search.quantity, step.score));
-      });
-  bar.clear();
-  const Objective objective = make_objective(options.search.quantity, *view.colour, conditions);
+  record_search(provenance, options.search);
+  const ToneOptimisation found = optimise_with_progress(*view.colour, conditions, options.search);
+  const Objective objective = describe_objective(options.search.quantity);
   write_display_image(options.out, found.image);
   if (!options.trace.empty()) write_text_file(options.trace, to_csv(trace_rows(found.evolution, objective)));
   if (!options.plot.empty()) write_plot(trace_plot(found.evolution, objective), options.plot);

@@ -38,7 +38,7 @@ ResultTable sweep_optimise(const SweepImage& image, double cd_m2_per_unit, const
   conditions.cd_m2_per_unit = cd_m2_per_unit;
   conditions.threads = run.threads;
   const SceneImage& scene = *image.view.colour;
-  const Objective objective = make_objective(quantity, scene, conditions);
+  const Objective objective = describe_objective(quantity);
   std::vector<SweepOutcome> outcomes;
   double best = std::numeric_limits<double>::infinity();
   for (const OptimiseSetting& setting : settings) {

@@ -58,18 +58,23 @@ std::vector<std::string> objective_quantities() {
   return names;
 }
 
-Objective make_objective(const std::string& quantity, const SceneImage& scene,
-                         const ComparisonConditions& conditions) {
-  const auto [metric, found] = find_quantity(quantity);
+Objective describe_objective(const std::string& quantity) {
+  const MetricQuantity* found = find_quantity(quantity).second;
   if (!found)
     throw InputError(fmt::format("there is no quantity '{}' to optimise; choose one of {}", quantity,
                                  fmt::join(objective_quantities(), ", ")));
-  Objective objective{found->name, found->unit, found->better == Better::kHigher, {}};
+  return {found->name, found->unit, found->better == Better::kHigher, {}};
+}
+
+Objective make_objective(const std::string& quantity, const SceneImage& scene,
+                         const ComparisonConditions& conditions) {
+  Objective objective = describe_objective(quantity);
   if (quantity == "feature_photographic" || quantity == "feature_content_adaptive") {
     objective.measure = feature_measure(scene, conditions, quantity == "feature_content_adaptive");
     return objective;
   }
-  objective.measure = [metric = metric, quantity, &scene, conditions](const DisplayImage& mapped) {
+  const Metric* metric = find_quantity(quantity).first;
+  objective.measure = [metric, quantity, &scene, conditions](const DisplayImage& mapped) {
     return value_of(measure(mapped, scene, {metric}, conditions), quantity);
   };
   return objective;

@@ -23,6 +23,9 @@ struct Objective {
 /// Quantities there are to choose from: those whose better values are higher or lower.
 std::vector<std::string> objective_quantities();
 
+/// The objective without its measure: what its numbers mean. Throws as make_objective does.
+Objective describe_objective(const std::string& quantity);
+
 /// What does not depend on the tone mapped image is prepared here. `scene` must outlive the objective. Throws
 /// InputError listing what there is for an unknown quantity.
 Objective make_objective(const std::string& quantity, const SceneImage& scene,

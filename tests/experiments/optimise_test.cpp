@@ -149,7 +149,7 @@ TEST_F(OptimiseCommand, ItsSettingsGiveTheSameImageByTonemap) {
   for (std::string word; words >> word;) arguments.push_back(word);
   const ProgramResult again = run_program(arguments);
   ASSERT_EQ(again.status, 0) << again.err;
-  EXPECT_EQ(read_text_file(out_), read_text_file(folder_.path() / "again.png"));
+  EXPECT_TRUE(read_text_file(out_) == read_text_file(folder_.path() / "again.png"));
 }
 
 TEST_F(OptimiseCommand, RefusesWrongUseInOneSentence) {

@@ -23,8 +23,8 @@ const std::vector<Setting>& settings() {
 
 GenericOptions options_of(const SettingValues& values) {
   const auto value = [&](const char* name) { return number(settings(), values, name); };
-  return {value("b"),  value("d_l"), value("d_h"), value("c"),
-          value("m1"), value("m2"),  value("m3"),  value("alpha")};
+  return {value("b"),  value("d_l"), value("d_h"),   value("c"),    value("m1"),
+          value("m2"), value("m3"),  value("alpha"), value("scale")};
 }
 
 std::vector<FittedValue> report(const GenericParameters& p) {

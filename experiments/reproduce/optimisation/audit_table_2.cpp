@@ -135,7 +135,7 @@ double mean_reversal_rise() {
 
 Plot totals_plot() {
   Plot plot;
-  plot.y = {.title = "DRIM distortion, added up from the printed parts", .unit = "%", .minimum = 0};
+  plot.y = {.title = "DRIM distortion, sum of the parts", .unit = "%", .minimum = 0};
   plot.key = KeyPosition::kOutside;
   plot.width_px = 900;
   for (const PrintedSequence& s : printed_table_2()) plot.categories.emplace_back(s.name);

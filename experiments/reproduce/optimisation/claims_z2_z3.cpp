@@ -93,7 +93,7 @@ std::vector<Part> parts_of_z2() {
        {},
        Comparison::kBelow},
       {"Z-2f",
-       "Reversal of contrast rises slightly against Gao's metric.",
+       "Reversal of contrast rises against Gao's metric.",
        "drim_reversal_less_gao",
        kGao,
        reversal,

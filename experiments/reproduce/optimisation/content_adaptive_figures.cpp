@@ -5,6 +5,7 @@
 
 #include "core/image/colour.h"
 #include "core/tonemap/content_adaptive.h"
+#include "core/tonemap/pq_operator.h"
 #include "experiments/reproduce/figure_pictures.h"
 #include "experiments/reproduce/tonemap/suitability.h"
 #include "experiments/score.h"

@@ -52,6 +52,14 @@ TEST(SplitByEntropy, PartsFewFromMany) {
   EXPECT_EQ(split.heavy_count, 3);
 }
 
+TEST(SplitByEntropy, OfOneOccupiedBinOrNoneHasNoHeavyBin) {
+  EXPECT_EQ(split_by_entropy({0, 0, 5, 0}).heavy_count, 0);
+  EXPECT_EQ(split_by_entropy({0, 0, 0}).heavy_count, 0);
+  EXPECT_EQ(split_by_entropy({9}).heavy_count, 0);
+  EXPECT_EQ(split_by_entropy({}).heavy_count, 0);
+  EXPECT_EQ(split_by_entropy({0, 1, 9}).heavy, (std::vector<bool>{false, false, true}));
+}
+
 TEST(SplitByEntropy, IsTheMaximumOfAllCutsTriedLiterally) {
   std::vector<std::int64_t> counts;
   for (std::uint64_t i = 0; i < 40; ++i)
