@@ -144,6 +144,8 @@ void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapp
     mapped.result.values.push_back({"left_out_pixels", static_cast<double>(left_out), "px"});
     const std::vector<Measurement> measured =
         measure(mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions);
+    for (const Measurement& m : measured)
+      if (std::isnan(m.value)) throw InputError(fmt::format("{} came out as no number", m.quantity));
     mapped.result.values.insert(mapped.result.values.end(), measured.begin(), measured.end());
   });
 }
