@@ -11,6 +11,7 @@
 #include "core/base/random.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
+#include "core/lightfield/light_field_folder.h"
 #include "core/tonemap/light_field_mapping.h"
 #include "experiments/reproduce/laboratory.h"
 #include "metrics/consistency.h"
@@ -175,6 +176,35 @@ TEST_F(BatchCommand, WhatFailsIsNamedAndStopsNothingElse) {
   EXPECT_NE(failed_twice.find("36 items: 29 were there, 0 computed, 7 failed"), std::string::npos)
       << failed_twice;
   EXPECT_EQ(csv("out"), rows);
+}
+
+TEST_F(BatchCommand, KeyViewAdjustmentGivesTheViewsOfTonemapLf) {
+  Json study = tiny_batch();
+  study["inputs"][0].erase("cd_m2_per_unit");
+  study["inputs"].push_back(Json::object({{"image", "alone.exr"}}));
+  study["operators"] = Json::parse(R"([{"name": "reinhard05", "variant": "adjusted"}])");
+  write_tiny_batch(parent_.path(), study);
+  write_scene_image(parent_.path() / "alone.exr", plane_field(3).view(1, 1)->colour);
+  const ProgramResult result = run("out", {"--json", "-"}, 1);
+  EXPECT_NE(result.err.find(
+                "1 of 10 items failed: alone.exr reinhard05 naive+adjusted (key-view adjustment is for"),
+            std::string::npos)
+      << result.err;
+  ASSERT_EQ(run_program({"tonemap-lf", folder("field"), "-o", folder("mapped"), "--operator", "reinhard05",
+                         "--variant", "adjusted"})
+                .status,
+            0);
+  const DisplayLightField mapped = open_display_light_field(folder("mapped"));
+  const Json rows = Json::parse(result.out).at("rows");
+  int compared = 0;
+  for (const Json& row : rows)
+    if (row.at("quantity") == "mean_luma") {
+      const std::string view = row.at("view");
+      EXPECT_NEAR(row.at("value"), mean_luma(mapped.view(view[0] - '0', view[2] - '0')->colour), 1e-12)
+          << view;
+      ++compared;
+    }
+  EXPECT_EQ(compared, 9);
 }
 
 TEST_F(BatchCommand, PixelsThatAreNotFiniteAreCountedAndLeftOutOfMetrics) {
