@@ -79,7 +79,7 @@ TEST_F(BatchCommand, AFinishedStudyIsNotComputedAgain) {
 TEST_F(BatchCommand, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
   run("whole");
   int kills = 0;
-  for (std::uint64_t attempt = 0; attempt < 4; ++attempt) {
+  for (std::uint64_t attempt = 0; attempt < 3; ++attempt) {
     const std::string name = "killed-" + std::to_string(attempt);
     for (const std::size_t items : {1 + random_u64(3, attempt, 0) % 5, 7 + random_u64(3, attempt, 1) % 6})
       kills += run_and_kill(name, items) ? 1 : 0;
@@ -89,7 +89,7 @@ TEST_F(BatchCommand, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
         << rest.out;
     EXPECT_EQ(csv(name), csv("whole"));
   }
-  EXPECT_GE(kills, 4) << "the program was too quick to be killed: the test tests nothing";
+  EXPECT_GE(kills, 3) << "the program was too quick to be killed: the test tests nothing";
 }
 
 TEST_F(BatchCommand, AStopSignalTellsThatTheSameCommandGoesOn) {
