@@ -4,7 +4,7 @@
 #
 # It covers all sources of the layers below, how one item is computed, and the version of the compiler.
 set(method_folders core/base core/image core/io core/lightfield core/tonemap metrics)
-set(method_files experiments/batch/measure.cpp experiments/batch/input.cpp)
+set(method_files experiments/batch/measure.cpp experiments/batch/adjusted.cpp experiments/batch/input.cpp)
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(files "")
   foreach(folder IN LISTS method_folders)

@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "experiments/batch/commands.h"
+#include "experiments/batch/outputs.h"
 #include "experiments/batch/run.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/progress_bar.h"
@@ -65,6 +66,7 @@ void run_batch_command(const Invocation& invocation, const RunOptions& options, 
   tell(options.common, fmt::format("{} items of other shards are missing: 'plenolab batch merge' joins "
                                    "folders, and the last shard in one folder writes the report",
                                    open));
+  write_results(batch_rows(plan, stored), provenance, options.common);
   require_none_failed(tally, options.out);
 }
 

@@ -50,6 +50,8 @@ class LoadedInput {
 
   /// `place` is that in a light field, and not read for images.
   OperatorView view(const BatchView& place) const;
+  /// Null for images.
+  const LightField* light_field() const { return field_ ? &*field_ : nullptr; }
   /// What a variant of this scope is fitted to.
   FitScope scope(OperatorScope scope, const BatchView& place, int threads) const;
 

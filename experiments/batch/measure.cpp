@@ -72,27 +72,44 @@ std::vector<double> seconds_of(int repeat, const std::function<void()>& work) {
   return seconds;
 }
 
-TimedFit timed_fit(const OperatorChoice& choice, const FitScope& scope, int repeat) {
+TimedFit timed_fit(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, int threads) {
+  const OperatorChoice& choice = plan.operators[item.op].choice;
+  const FitScope scope = input.scope(choice.variant.scope, item.view, threads);
   TimedFit fit{.views = scope.views};
-  fit.seconds =
-      seconds_of(repeat, [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
+  fit.seconds = seconds_of(plan.study.repeat,
+                           [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
+  return fit;
+}
+
+TimedFit timed_adjustment(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input,
+                          int threads) {
+  TimedFit fit;
+  fit.seconds = seconds_of(1, [&] {
+    fit.adjusted =
+        adjusted_views(plan.operators[item.op].choice, input, plan.inputs[item.input].views, threads);
+  });
+  const ViewGrid& grid = input.light_field()->grid();
+  fit.views = grid.columns * grid.rows;
   return fit;
 }
 
 /// The fit of an item: that of all views, if its variant has one, else its own.
-TimedFit fit_of(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
-                int threads) {
-  const OperatorChoice& choice = plan.operators[item.op].choice;
+std::shared_ptr<const TimedFit> fit_of(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input,
+                                       SharedFits& fits, int threads) {
   if (const auto found = fits.find(item.op); found != fits.end()) return found->second;
-  TimedFit fit = timed_fit(choice, input.scope(choice.variant.scope, item.view, threads), plan.study.repeat);
-  if (choice.variant.scope == OperatorScope::kLightField) fits.emplace(item.op, fit);
+  const OperatorChoice& choice = plan.operators[item.op].choice;
+  const auto fit = std::make_shared<const TimedFit>(
+      choice.adjusted ? timed_adjustment(plan, item, input, threads) : timed_fit(plan, item, input, threads));
+  if (choice.adjusted || choice.variant.scope == OperatorScope::kLightField) fits.emplace(item.op, fit);
   return fit;
 }
 
-void map_repeatedly(const TimedFit& fit, int repeat, int threads, MappedItem& item) {
+/// As often as the fit was made; every time gives the same image.
+void map_repeatedly(const TimedFit& fit, const BatchView& place, int threads, MappedItem& item) {
   ToneMapped mapped;
-  const std::vector<double> seconds =
-      seconds_of(repeat, [&] { mapped = fit.fitted.apply(item.view, threads); });
+  const std::vector<double> seconds = seconds_of(static_cast<int>(fit.seconds.size()), [&] {
+    mapped = fit.adjusted.empty() ? fit.fitted.apply(item.view, threads) : fit.adjusted.at(place);
+  });
   item.result.values = mapping_values(mapped);
   item.result.timings = timings_of(fit, seconds);
   item.image = std::move(mapped.image);
@@ -128,7 +145,7 @@ MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedIn
     require_disparity(plan.operators[item.op].choice, mapped.view);
     mapped.result.width = mapped.view.colour->width();
     mapped.result.height = mapped.view.colour->height();
-    map_repeatedly(fit_of(plan, item, input, fits, threads), plan.study.repeat, threads, mapped);
+    map_repeatedly(*fit_of(plan, item, input, fits, threads), item.view, threads, mapped);
   });
   return mapped;
 }
@@ -144,6 +161,8 @@ void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapp
     mapped.result.values.push_back({"left_out_pixels", static_cast<double>(left_out), "px"});
     const std::vector<Measurement> measured =
         measure(mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions);
+    for (const Measurement& m : measured)
+      if (std::isnan(m.value)) throw InputError(fmt::format("{} came out as no number", m.quantity));
     mapped.result.values.insert(mapped.result.values.end(), measured.begin(), measured.end());
   });
 }

@@ -1,21 +1,25 @@
 #pragma once
 
 #include <map>
+#include <memory>
 #include <vector>
 
+#include "experiments/batch/adjusted.h"
 #include "experiments/batch/item_result.h"
 
 namespace plenolab {
 
 /// An operator fitted to a view or to a whole light field, and how long that took at each of `repeat` times.
+/// With key-view adjustment all views are mapped, once: that is the fit.
 struct TimedFit {
   FittedOperator fitted;
+  AdjustedViews adjusted;  ///< with key-view adjustment, in place of `fitted`
   std::vector<double> seconds;
   int views = 1;  ///< that it is for
 };
 
 /// Fits for whole light fields, by operator of the plan: made once for all views of an input.
-using SharedFits = std::map<std::size_t, TimedFit>;
+using SharedFits = std::map<std::size_t, std::shared_ptr<const TimedFit>>;
 
 /// An item that is mapped and not yet measured.
 struct MappedItem {

@@ -10,7 +10,6 @@
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
-#include "experiments/cli/suggest.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -29,28 +28,21 @@ std::string changed_settings(const OperatorChoice& choice) {
   return text;
 }
 
-/// An operator of the table by its name, with the nearest one for a name that is not there.
-const OperatorInfo& operator_named(const std::string& name) {
-  std::vector<std::string> ids;
-  for (const OperatorInfo& info : tone_mapping_operators()) ids.push_back(info.id);
-  if (std::find(ids.begin(), ids.end(), name) == ids.end())
-    throw InputError(fmt::format("there is no operator \"{}\"{}", name, did_you_mean(name, ids)));
-  return find_operator(name);
+/// What is wrong with an operator, without the option of a command line that it would be wrong with.
+std::string without_option(const std::string& message) {
+  const std::size_t colon = message.find(": ");
+  return message.starts_with("--") && colon != std::string::npos ? message.substr(colon + 2) : message;
 }
 
 BatchOperator resolve(const BatchOperatorChoice& wanted) {
-  BatchOperator op;
-  op.choice.info = &operator_named(wanted.name);
-  if (wanted.variant.ends_with("adjusted"))
-    throw InputError(
-        "key-view adjustment works on whole light fields: map them with 'plenolab tonemap-lf' instead");
-  const std::string& first = op.choice.info->variants.front().id;
-  op.choice.variant = find_variant(*op.choice.info, wanted.variant.empty() ? first : wanted.variant);
-  if (op.choice.maps_frames())
-    throw InputError(fmt::format("variant {} maps frames of a video: choose {} here", wanted.variant, first));
-  op.choice.values = parse_settings(wanted.name, op.choice.info->settings, wanted.settings);
-  op.settings = changed_settings(op.choice);
-  return op;
+  try {
+    BatchOperator op{choose_operator({wanted.name, wanted.variant, wanted.settings}), {}};
+    require_view_variant(op.choice);
+    op.settings = changed_settings(op.choice);
+    return op;
+  } catch (const UsageError& error) {
+    throw InputError(without_option(error.what()));
+  }
 }
 
 std::vector<BatchOperator> resolve_operators(const BatchStudy& study, const std::string& file) {
@@ -107,7 +99,7 @@ std::string key_of(const BatchPlan& plan, const BatchItem& item) {
   hash.add(static_cast<double>(item.view.column));
   hash.add(static_cast<double>(item.view.row));
   hash.add(choice.info->id);
-  hash.add(choice.variant.id);
+  hash.add(choice.variant_name());
   hash.add(settings_text(choice));
   for (const Metric* metric : plan.metrics_for(input)) hash.add(metric->name);
   const ViewingConditions& viewing = plan.study.viewing;
@@ -136,15 +128,16 @@ std::string view_text(const BatchInput& input, const BatchItem& item) {
 }  // namespace
 
 std::string BatchOperator::title() const {
-  return fmt::format("{} {}{}{}", choice.info->id, choice.variant.id, settings.empty() ? "" : " ", settings);
+  return fmt::format("{} {}{}{}", choice.info->id, choice.variant_name(), settings.empty() ? "" : " ",
+                     settings);
 }
 
 Columns BatchPlan::columns(const BatchItem& item) const {
   const BatchInput& input = inputs[item.input];
   const BatchOperator& op = operators[item.op];
-  return {{"input", input.choice.title()},   {"preset", input.choice.preset},
-          {"view", view_text(input, item)},  {"operator", op.choice.info->id},
-          {"variant", op.choice.variant.id}, {"settings", op.settings}};
+  return {{"input", input.choice.title()},       {"preset", input.choice.preset},
+          {"view", view_text(input, item)},      {"operator", op.choice.info->id},
+          {"variant", op.choice.variant_name()}, {"settings", op.settings}};
 }
 
 std::string BatchPlan::title(const BatchItem& item) const {

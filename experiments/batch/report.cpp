@@ -20,6 +20,10 @@ std::string title_of(const BatchInput& input) {
   return input.choice.title() + (input.choice.preset.empty() ? "" : " " + input.choice.preset);
 }
 
+const char* plural(std::size_t count) {
+  return count == 1 ? "" : "s";
+}
+
 std::string better_text(const MetricQuantity& quantity) {
   switch (quantity.better) {
     case Better::kHigher:
@@ -193,7 +197,7 @@ ReportSection metric_section(const BatchPlan& plan, const Stored& stored, const 
   const MetricQuantity& first = metric.quantities.front();
   section.blocks.emplace_back(Paragraph{fmt::format("{} {}: {}", metric.summary, first.name, first.meaning)});
   ReportPlot plot = time_plot(plan, stored, first);
-  if (!plot.plot.series.empty()) {
+  if (plot.plot.series.size() > 1) {  // one point compares nothing
     report.plots.emplace_back(metric.name + "-over-time", plot.plot);
     section.blocks.emplace_back(std::move(plot));
   }
@@ -208,8 +212,10 @@ BatchReport batch_report(const BatchPlan& plan, const Stored& stored, const Prov
   BatchReport report;
   const ResultTable means = operator_rows(plan, stored);
   report.page.title = plan.study.title;
-  report.page.subtitle = fmt::format("{} inputs by {} operators, measured by {} metrics.", plan.inputs.size(),
-                                     plan.operators.size(), plan.metrics.size());
+  report.page.subtitle =
+      fmt::format("Chosen views of {} input{}, mapped by {} operator{} and measured by {} metric{}.",
+                  plan.inputs.size(), plural(plan.inputs.size()), plan.operators.size(),
+                  plural(plan.operators.size()), plan.metrics.size(), plural(plan.metrics.size()));
   report.page.key_figures = key_figures(plan, stored);
   if (count_of(stored, ItemState::kFailed) > 0) report.page.sections.push_back(failure_section(plan, stored));
   report.page.sections.push_back(summary_section(plan, means));

@@ -8,6 +8,7 @@
 #include <set>
 #include <span>
 
+#include "analysis/timing.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "experiments/batch/measure.h"
@@ -21,6 +22,8 @@ namespace {
 constexpr std::size_t kSmall_px = 512 * 512;
 /// Mapped images that wait for their metrics, altogether.
 constexpr std::size_t kMostWaiting_px = std::size_t{32} << 20;
+/// Time for mapping before the metrics of what is mapped are measured and stored: what a kill can cost.
+constexpr double kMostWaiting_s = 5;
 
 /// Items to be computed, which all threads count down.
 class Remaining {
@@ -64,15 +67,17 @@ std::vector<std::size_t> items_to_compute(const BatchPlan& plan, const BatchRun&
   return missing;
 }
 
-/// Maps items, one after the other, until all are or enough images wait.
+/// Maps items, one after the other, until all are or enough has been done that is not stored.
 std::vector<MappedItem> map_some(const BatchPlan& plan, std::span<const std::size_t> items,
-                                 const LoadedInput& input, SharedFits& fits, int threads) {
+                                 const LoadedInput& input, SharedFits& fits, const BatchRun& run) {
   std::vector<MappedItem> mapped;
   std::size_t waiting_px = 0;
+  const Stopwatch watch;
   for (const std::size_t index : items) {
-    mapped.push_back(map_item(plan, plan.items[index], input, fits, threads));
+    tell_stage(run, "mapping " + plan.title(plan.items[index]));
+    mapped.push_back(map_item(plan, plan.items[index], input, fits, run.threads));
     waiting_px += mapped.back().image.size();
-    if (waiting_px >= kMostWaiting_px) break;
+    if (waiting_px >= kMostWaiting_px || watch.seconds() > kMostWaiting_s) break;
   }
   return mapped;
 }
@@ -108,7 +113,7 @@ std::unique_ptr<LoadedInput> load(const BatchPlan& plan, std::span<const std::si
   }
   tell_stage(run, "loading " + title);
   const auto on_view = [&](const RenderingTally& tally) {
-    tell_stage(run, fmt::format("loading {}: {} views", title, tally.rendered + tally.from_cache));
+    tell_stage(run, fmt::format("loading {}, view {}", title, tally.rendered + tally.from_cache));
   };
   try {
     return std::make_unique<LoadedInput>(
@@ -127,10 +132,11 @@ void compute(const BatchPlan& plan, std::span<const std::size_t> items, const Ba
              Remaining& remaining) {
   const std::unique_ptr<LoadedInput> input = load(plan, items, run, remaining);
   if (!input) return;
-  tell_stage(run, plan.inputs[plan.items[items.front()].input].choice.title());
+  const std::string& title = plan.inputs[plan.items[items.front()].input].choice.title();
   SharedFits fits;
   while (!items.empty()) {
-    std::vector<MappedItem> mapped = map_some(plan, items, *input, fits, run.threads);
+    std::vector<MappedItem> mapped = map_some(plan, items, *input, fits, run);
+    tell_stage(run, "measuring " + title);
     measure_all(plan, items, mapped, run.threads, remaining);
     items = items.subspan(mapped.size());
   }
