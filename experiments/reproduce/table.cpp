@@ -26,6 +26,7 @@ ReproductionResult reproduce_cellar_adaptation(Laboratory& laboratory);
 ReproductionResult reproduce_dunes_adaptation(Laboratory& laboratory);
 ReproductionResult reproduce_consistency_table(Laboratory& laboratory);
 ReproductionResult reproduce_response_curves(Laboratory& laboratory);
+ReproductionResult reproduce_equalisation(Laboratory& laboratory);
 ReproductionResult reproduce_trimming(Laboratory& laboratory);
 ReproductionResult reproduce_naive_edge(Laboratory& laboratory);
 ReproductionResult reproduce_naive_bilateral_view(Laboratory& laboratory);
@@ -167,6 +168,8 @@ std::span<const Reproduction> reproductions() {
                    reproduce_synthesis_quality},
       Reproduction{"altmeier-fig-3", "Figure 3: response curves of Reinhard & Devlin", Chapter::kOperators,
                    reproduce_response_curves},
+      Reproduction{"altmeier-fig-4", "Figure 4: histogram equalisation", Chapter::kOperators,
+                   reproduce_equalisation},
       Reproduction{"altmeier-fig-5", "Figure 5: trimming of the histogram", Chapter::kOperators,
                    reproduce_trimming},
       Reproduction{"altmeier-fig-21", "Figure 21: an edge through the naive bilateral operator",
