@@ -173,7 +173,8 @@ Report assemble_report(const std::vector<FinishedReproduction>& finished, const 
   report.subtitle =
       "Views synthesised from sparse key views against ground truth, and the consistency of tone mapping "
       "within them and over time, after Altmeier 2018; a near-eye light-field display, its study and its "
-      "calibration, after Hansen & Klein 2016; luminance on a projector display, after Doronin & Barsi 2018. "
+      "calibration, after Hansen & Klein 2016; luminance on a projector display, after Doronin & Barsi; "
+      "tone mapping tuned by metrics and look-up tables, after Zhao 2019. "
       "Measured on "
       "procedural scenes.";
   std::vector<LedgerEntry> ledger;

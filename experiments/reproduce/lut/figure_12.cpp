@@ -70,7 +70,7 @@ ReproductionResult reproduce_lut_storage(Laboratory&) {
   result.ours_shows = fmt::format(
       "A table of {}³ nodes takes {:.0f} KiB as .cube and comes back with an error of {:.1g}; as a strip of "
       "{}×{} pixels it takes {:.0f} KiB and "
-      "comes back with an error of {:.4f} (8 bits a channel).",
+      "comes back with one of {:.1g}.",
       stored.size, ways[0].bytes / 1024, ways[0].error, stored.size * stored.size, stored.size,
       ways[1].bytes / 1024, ways[1].error);
   result.differs =

@@ -67,7 +67,7 @@ std::vector<Mapping> mappings_of(const SectionView& view, int threads) {
     return expose(scene, static_cast<float>(1 / std::max(white, 1e-30)));
   };
   std::vector<Mapping> mappings{
-      {"Linear, log average at 0.18", scaled(histogram.log_average() / 0.18)},
+      {"Linear, log average at 0.18", scaled(std::pow(10, histogram.log_average()) / 0.18)},
       {"Linear, 99th percentile at white", scaled(std::pow(10, view.log_p99))},
       {"Content adaptive", apply(fit(ContentAdaptiveOptions{}, histogram), scene, threads).image}};
   for (Mapping& mapping : mappings) judge(mapping, scene, threads);
@@ -122,7 +122,7 @@ std::vector<double> photographic_curve(const ContentAdaptiveOptions& options, co
   std::vector<double> luma;
   for (int i = 0; i <= kBins; ++i) {
     const double scaled =
-        options.key * pq_luminance(histogram.signal_max * i / kBins) / histogram.log_average();
+        options.key * pq_luminance(histogram.signal_max * i / kBins) / std::pow(10, histogram.log_average());
     luma.push_back(std::pow(scaled / (1 + scaled), 1 / 2.2));
   }
   const double scale = top / luma.back();
