@@ -13,6 +13,7 @@
 #include "experiments/cli/output.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/suggest.h"
+#include "experiments/cli/viewing_options.h"
 #include "experiments/metric_maps.h"
 #include "experiments/score.h"
 #include "experiments/tonemap_fit.h"
@@ -80,10 +81,7 @@ std::vector<const Metric*> with_known_scale(std::vector<const Metric*> chosen, c
   for (const Metric* metric : chosen) {
     if (!needs_scale(metric)) continue;
     for (const std::string& name : named)
-      if (name == metric->name || name == metric->family)
-        throw UsageError(fmt::format(
-            "--cd-m2-per-unit: {} needs the luminance of a pixel value of 1, which the images do not say",
-            metric->name));
+      if (name == metric->name || name == metric->family) throw UsageError(scale_needed(metric->name));
     table.add({kNoteQuantity,
                0,
                "1",
@@ -120,10 +118,7 @@ ComparisonConditions conditions_for(const MetricInput& input, const MetricOption
     conditions.exposure = options.exposure > 0 ? static_cast<float>(options.exposure) : exposure_from(*scene);
   provenance.parameters["exposure"] = conditions.exposure;
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
-  provenance.parameters["pixels_per_degree"] = options.viewing.pixels_per_degree;
-  provenance.parameters["distance_m"] = options.viewing.distance_m;
-  provenance.parameters["display_peak_cd_m2"] = options.viewing.display_peak_cd_m2;
-  provenance.parameters["display_black_cd_m2"] = options.viewing.display_black_cd_m2;
+  record_viewing(provenance, options.viewing);
   return conditions;
 }
 
@@ -176,23 +171,6 @@ std::string metric_names() {
   return names;
 }
 
-void add_viewing_options(CLI::App& app, ViewingConditions& viewing) {
-  app.add_option("--pixels-per-degree", viewing.pixels_per_degree,
-                 "Pixels of the images in one degree of the viewer's visual angle")
-      ->check(number_between(1, 1000))
-      ->capture_default_str();
-  app.add_option("--distance", viewing.distance_m, "From the viewer to the picture, m")
-      ->check(number_between(0.05, 100))
-      ->capture_default_str();
-  app.add_option("--display-peak", viewing.display_peak_cd_m2,
-                 "White of the display that shows a .png, cd/m2")
-      ->check(positive_number())
-      ->capture_default_str();
-  app.add_option("--display-black", viewing.display_black_cd_m2, "Black of that display, cd/m2")
-      ->check(number_between(0, 1e6))
-      ->capture_default_str();
-}
-
 }  // namespace
 
 void add_metric_command(CLI::App& app, const Invocation& invocation) {
@@ -207,9 +185,7 @@ void add_metric_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--exposure", options->exposure,
                  "Scale before gamma encoding (default: 99th percentile of the reference becomes 1)")
       ->check(positive_number());
-  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit,
-                 "Luminance of a pixel value of 1 (default: what an .exr or its light field says; 1 for PQ)")
-      ->check(positive_number());
+  add_luminance_scale_option(app, options->cd_m2_per_unit, "1 for PQ");
   add_viewing_options(app, options->viewing);
   app.add_option("--maps", options->maps, "Folder for pictures of where the images differ");
   add_force_option(app, options->force);

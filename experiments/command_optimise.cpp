@@ -15,6 +15,7 @@
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/suggest.h"
+#include "experiments/cli/viewing_options.h"
 #include "experiments/optimise/tone_optimiser.h"
 #include "experiments/tonemap_fit.h"
 
@@ -29,6 +30,7 @@ struct OptimiseOptions {
   ToneOptimisationOptions search;
   std::string image, out, trace, plot;
   double cd_m2_per_unit = 0;
+  ViewingConditions viewing;
   bool relative = false;
 };
 
@@ -96,17 +98,13 @@ std::string settings_line(const GenericOptions& o) {
       o.brightness, o.low_range, o.high_range, o.contrast, o.fine, o.middle, o.coarse, o.band_scale);
 }
 
-ComparisonConditions conditions_of(const OptimiseOptions& options, ResultTable& notes) {
+ComparisonConditions conditions_of(const OptimiseOptions& options, const Objective& objective) {
+  const std::optional<double> scale = luminance_scale(options.cd_m2_per_unit, options.image);
+  if (!scale && objective.absolute_luminance) throw UsageError(scale_needed(objective.quantity));
   ComparisonConditions conditions;
   conditions.threads = options.common.threads;
-  const std::optional<double> declared = declared_cd_m2_per_unit(options.image);
-  conditions.cd_m2_per_unit = options.cd_m2_per_unit > 0 ? options.cd_m2_per_unit : declared.value_or(1);
-  if (options.cd_m2_per_unit <= 0 && !declared)
-    notes.add({kNoteQuantity,
-               0,
-               "1",
-               {{"note", std::string("The image does not say what a value of 1 is; 1 cd/m² was taken "
-                                     "(--cd-m2-per-unit).")}}});
+  conditions.cd_m2_per_unit = scale.value_or(1);
+  conditions.viewing = options.viewing;
   return conditions;
 }
 
@@ -139,19 +137,25 @@ void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
   const OperatorView view = read_operator_view(options.image);
   add_input(provenance, options.image);
   require_keeps_inputs(provenance, options.out);
-  ResultTable notes;
-  const ComparisonConditions conditions = conditions_of(options, notes);
+  const Objective objective = describe_objective(options.search.quantity);
+  const ComparisonConditions conditions = conditions_of(options, objective);
   provenance.parameters["cd_m2_per_unit"] = conditions.cd_m2_per_unit;
+  record_viewing(provenance, conditions.viewing);
   record_search(provenance, options.search);
   const ToneOptimisation found = optimise_with_progress(*view.colour, conditions, options.search);
-  const Objective objective = describe_objective(options.search.quantity);
   write_display_image(options.out, found.image);
   if (!options.trace.empty()) write_text_file(options.trace, to_csv(trace_rows(found.evolution, objective)));
   if (!options.plot.empty()) write_plot(trace_plot(found.evolution, objective), options.plot);
   write_run_json_beside(options.out, provenance);
   tell(options.common, fmt::format("wrote {}", options.out));
   ResultTable table = rows_of(found, options, objective);
-  table.append(notes);
+  if (objective.cost(found.best_value) > objective.cost(found.start_value))
+    table.add(
+        {kNoteQuantity,
+         0,
+         "1",
+         {{"note", std::string("At full size the parameters of the start are better than those found on "
+                               "the smaller image; --shrink 1 searches at full size.")}}});
   emit_results(table, provenance, options.common);
   tell(options.common, fmt::format("The same by hand: plenolab tonemap {} -o OUT.png --operator generic {}",
                                    options.image, settings_line(found.best)));
@@ -185,14 +189,14 @@ void add_optimise_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--metric", options->search.quantity, "Quantity to improve, of those that `metric` prints")
       ->capture_default_str();
   add_search_options(app, *options);
-  app.add_option("--cd-m2-per-unit", options->cd_m2_per_unit, "Luminance of a pixel value of 1")
-      ->check(positive_number());
+  add_luminance_scale_option(app, options->cd_m2_per_unit);
+  add_viewing_options(app, options->viewing);
   app.add_option("--trace", options->trace, "Best parameters after each iteration, to this file (.csv)")
       ->check(file_ending_in({".csv"}));
   app.add_option("--plot", options->plot, "Also draw the trace: files NAME.svg, NAME.pdf, …")
       ->check(not_empty());
   add_common_options(app, options->common);
-  app.footer("Example: plenolab optimise photo.exr -o tuned.png --shrink 4");
+  app.footer("Example: plenolab optimise photo.exr -o tuned.png --shrink 4 --cd-m2-per-unit 100");
   app.callback([options, &invocation] { run_optimise(invocation, *options); });
 }
 

@@ -16,6 +16,7 @@
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/scenes.h"
+#include "experiments/cli/viewing_options.h"
 #include "experiments/cli/wide_table.h"
 #include "experiments/sweep_drim.h"
 #include "experiments/sweep_luminance.h"
@@ -38,6 +39,7 @@ struct SweepOptions {
   std::string method, source;
   std::string out, cache;
   OperatorOptions chosen;
+  double cd_m2_per_unit = 0;
   int runs = 3;
   bool force = false;
 };
@@ -154,26 +156,31 @@ OperatorChoice mapping_operator(const SweepOptions& options) {
   return choice;
 }
 
+/// Scenes are in cd/m²; of a file the scale must be known.
+double scale_of(const SweepOptions& options) {
+  if (!source_exists(options)) {
+    if (options.cd_m2_per_unit > 0) throw UsageError("--cd-m2-per-unit is for files; scenes are in cd/m²");
+    return 1;
+  }
+  const std::optional<double> scale = luminance_scale(options.cd_m2_per_unit, options.source);
+  if (!scale) throw UsageError(scale_needed(options.method));
+  return *scale;
+}
+
 ResultTable run_drim_sweep(const SweepOptions& options, const fs::path& folder) {
   const OperatorChoice choice = mapping_operator(options);
   const SweepImage image = image_of(options);
-  std::optional<double> cd_m2_per_unit = 1;  // of scenes
-  if (source_exists(options)) cd_m2_per_unit = declared_cd_m2_per_unit(options.source);
-  if (!cd_m2_per_unit)
-    throw InputError(
-        fmt::format("{} does not say what a value of 1 is in cd/m², which DRIM needs", options.source));
+  const double cd_m2_per_unit = scale_of(options);
   ProgressBar bar("sweep");
   const ResultTable table =
-      sweep_drim(image, *cd_m2_per_unit, choice, all_drim_settings(), run_of(options, bar));
+      sweep_drim(image, cd_m2_per_unit, choice, all_drim_settings(), run_of(options, bar));
   write_sweep_plot(table, drim_sweep_plot(), image.name, folder);
   return table;
 }
 
-/// Scenes are in cd/m²; a file that does not say what a value of 1 is counts as if it were.
 ResultTable run_optimise_sweep(const SweepOptions& options, const fs::path& folder) {
   const SweepImage image = image_of(options);
-  const double cd_m2_per_unit =
-      source_exists(options) ? declared_cd_m2_per_unit(options.source).value_or(1) : 1;
+  const double cd_m2_per_unit = scale_of(options);
   ProgressBar bar("sweep");
   const ResultTable table = sweep_optimise(image, cd_m2_per_unit, "feature_content_adaptive",
                                            all_optimise_settings(), run_of(options, bar));
@@ -322,6 +329,9 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   if (options.method != "adjustment" && options.method != "drim" &&
       !(options.chosen.name.empty() && options.chosen.variant.empty() && options.chosen.settings.empty()))
     throw UsageError("--operator, --variant and --set are for the sweeps of adjustment and drim");
+  const bool absolute = options.method == "drim" || options.method == "optimise";
+  if (options.cd_m2_per_unit > 0 && !absolute)
+    throw UsageError("--cd-m2-per-unit is for the sweeps of drim and optimise");
   // Wrong use is told before anything is run.
   if (options.method == "adjustment") adjusted_operator(options);
   if (options.method == "drim") mapping_operator(options);
@@ -329,6 +339,7 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   provenance.parameters["method"] = options.method;
   provenance.parameters["source"] = options.source;
   provenance.parameters["runs"] = options.runs;
+  if (absolute) provenance.parameters["cd_m2_per_unit"] = scale_of(options);
   const SweepMethod& method = method_of(options);
   ResultTable table;
   const std::string out = output_folder(options), item = item_of(options);
@@ -363,20 +374,22 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
       ->capture_default_str();
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");
   add_operator_options(app, options->chosen);
+  add_luminance_scale_option(app, options->cd_m2_per_unit);
   add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
       "synthesis: search, step, key views against rendered or captured truth. bilateral: sampling of the "
       "grid "
       "against the exact filter. histogram: bins. adjustment: support and width of key-view adjustment. "
-      "drim: scale of the images and orientations. optimise: scale of the image, children and iterations of "
-      "the "
-      "search. "
-      "reprojection: steps, cameras and supersampling for the near-eye display. luminance: samples, pinhole "
-      "images, smoothing and spread on a projector display. lut: size and interpolation of look-up tables, "
-      "for walk also down-scaling of pixel counting.\n"
+      "drim: "
+      "scale of the images and orientations. optimise: scale of the image, children and iterations of the "
+      "search. drim and optimise need to know what a pixel value of 1 is. reprojection: steps, cameras and "
+      "supersampling for the near-eye display. luminance: samples, pinhole images, smoothing and spread on a "
+      "projector display. lut: size and interpolation of look-up tables, for walk also down-scaling of pixel "
+      "counting.\n"
       "Examples: plenolab sweep synthesis cellar -o results/sweep\n"
-      "          plenolab sweep bilateral view.exr");
+      "          plenolab sweep bilateral view.exr\n"
+      "          plenolab sweep optimise photo.exr --cd-m2-per-unit 100");
   app.callback([options, &invocation] { run_sweep(invocation, *options); });
 }
 

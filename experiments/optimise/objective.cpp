@@ -59,11 +59,11 @@ std::vector<std::string> objective_quantities() {
 }
 
 Objective describe_objective(const std::string& quantity) {
-  const MetricQuantity* found = find_quantity(quantity).second;
+  const auto [metric, found] = find_quantity(quantity);
   if (!found)
     throw InputError(fmt::format("there is no quantity '{}' to optimise; choose one of {}", quantity,
                                  fmt::join(objective_quantities(), ", ")));
-  return {found->name, found->unit, found->better == Better::kHigher, {}};
+  return {found->name, found->unit, found->better == Better::kHigher, metric->absolute_luminance, {}};
 }
 
 Objective make_objective(const std::string& quantity, const SceneImage& scene,

@@ -10,6 +10,7 @@
 #include "core/io/image_file.h"
 #include "experiments/optimise/tone_optimiser.h"
 #include "experiments/sweep_optimise.h"
+#include "tests/experiments/plane_field.h"
 #include "tests/experiments/run_program.h"
 
 namespace plenolab {
@@ -163,6 +164,28 @@ TEST_F(OptimiseCommand, RefusesWrongUseInOneSentence) {
     EXPECT_NE(result.err.find(hint), std::string::npos) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
   }
+}
+
+TEST_F(OptimiseCommand, NeedsTheScaleOfAbsoluteLuminanceOnlyWhereItMatters) {
+  write_scene_image(scene_, two_halves());
+  const ProgramResult unknown = run({});
+  expect_one_clear_sentence(unknown, "--cd-m2-per-unit: feature_content_adaptive needs the luminance", 2);
+  EXPECT_FALSE(std::filesystem::exists(out_));
+  for (const auto& words : std::vector<std::vector<std::string>>{{"--cd-m2-per-unit", "100"},
+                                                                 {"--metric", "feature_photographic"}}) {
+    const ProgramResult result = run(words);
+    EXPECT_EQ(result.status, 0) << result.err;
+  }
+}
+
+TEST_F(OptimiseCommand, PicturesAreJudgedAsTheyAreLookedAt) {
+  const auto drim = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--metric", "drim_mean_total"});
+    const ProgramResult result = run(more);
+    EXPECT_EQ(result.status, 0) << result.err;
+    return result.out.substr(0, result.out.find("seconds_search"));
+  };
+  EXPECT_NE(drim({}), drim({"--pixels-per-degree", "5", "--display-black", "20"}));
 }
 
 }  // namespace
