@@ -66,7 +66,7 @@ DisplayImage from_mat(const cv::Mat& mat) {
 }
 
 DisplayImage with_blur(const DisplayImage& image, int strength) {
-  const double sigma = 0.6 * std::pow(8, (strength - 1) / 4.0);
+  const double sigma = 0.6 * std::pow(16, (strength - 1) / 4.0);
   cv::Mat blurred;
   cv::GaussianBlur(to_mat(image), blurred, {0, 0}, sigma, sigma, cv::BORDER_REPLICATE);
   return from_mat(blurred);
@@ -89,6 +89,24 @@ DisplayImage with_levels(const DisplayImage& image, int strength) {
   return changed(image, [&](float v) { return std::round(v * steps) / steps; });
 }
 
+/// Overexposed by as many stops as the strength, highlights cut.
+DisplayImage with_cut_highlights(const DisplayImage& image, int strength) {
+  const float gain = gamma_encode(std::exp2(static_cast<float>(strength)));
+  return changed(image, [&](float v) { return v * gain; });
+}
+
+/// The dark end cut, up to 16 … 80 % of the codes, and the rest spread.
+DisplayImage with_cut_shadows(const DisplayImage& image, int strength) {
+  const float black = 0.16f * static_cast<float>(strength);
+  return changed(image, [&](float v) { return (v - black) / (1 - black); });
+}
+
+/// Nothing left of the picture: one of five greys.
+DisplayImage blank(const DisplayImage& image, int strength) {
+  const float grey = 0.25f * static_cast<float>(strength - 1);
+  return changed(image, [&](float) { return grey; });
+}
+
 struct Distortion {
   const char* name;
   DisplayImage (*apply)(const DisplayImage& image, int strength, std::uint64_t seed, std::uint64_t index);
@@ -102,6 +120,12 @@ constexpr std::array kDistortions{
                           std::uint64_t) { return with_jpeg(image, strength); }},
     Distortion{"levels", [](const DisplayImage& image, int strength, std::uint64_t,
                             std::uint64_t) { return with_levels(image, strength); }},
+    Distortion{"highlights", [](const DisplayImage& image, int strength, std::uint64_t,
+                                std::uint64_t) { return with_cut_highlights(image, strength); }},
+    Distortion{"shadows", [](const DisplayImage& image, int strength, std::uint64_t,
+                             std::uint64_t) { return with_cut_shadows(image, strength); }},
+    Distortion{"blank", [](const DisplayImage& image, int strength, std::uint64_t,
+                           std::uint64_t) { return blank(image, strength); }},
 };
 
 /// The picture and its distortions.
