@@ -32,6 +32,10 @@ std::vector<double> shares_of(const std::vector<double>& logs, double low, doubl
     shares[std::min(bin, shares.size() - 1)] += 1;
     inside += 1;
   }
+  if (inside == 0) {  // percentiles between a few far values: each end has its half
+    shares.front() = shares.back() = 1;
+    inside = 2;
+  }
   for (double& share : shares) share /= inside;
   return shares;
 }

@@ -89,43 +89,38 @@ DisplayImage with_levels(const DisplayImage& image, int strength) {
   return changed(image, [&](float v) { return std::round(v * steps) / steps; });
 }
 
-/// Overexposed by as many stops as the strength, highlights cut.
-DisplayImage with_cut_highlights(const DisplayImage& image, int strength) {
-  const float gain = gamma_encode(std::exp2(static_cast<float>(strength)));
-  return changed(image, [&](float v) { return v * gain; });
-}
-
-/// The dark end cut, up to 16 … 80 % of the codes, and the rest spread.
-DisplayImage with_cut_shadows(const DisplayImage& image, int strength) {
-  const float black = 0.16f * static_cast<float>(strength);
-  return changed(image, [&](float v) { return (v - black) / (1 - black); });
-}
-
-/// Nothing left of the picture: one of five greys.
-DisplayImage blank(const DisplayImage& image, int strength) {
-  const float grey = 0.25f * static_cast<float>(strength - 1);
+/// Nothing left of the picture but its mean grey.
+DisplayImage blank(const DisplayImage& image, int) {
+  double sum = 0;
+  for (const Rgb c : image.pixels()) sum += static_cast<double>(luminance(c));
+  const auto grey = static_cast<float>(sum / static_cast<double>(image.size()));
   return changed(image, [&](float) { return grey; });
 }
 
 struct Distortion {
   const char* name;
+  int strengths;
   DisplayImage (*apply)(const DisplayImage& image, int strength, std::uint64_t seed, std::uint64_t index);
 };
 
 constexpr std::array kDistortions{
-    Distortion{"noise", with_noise},
-    Distortion{"blur", [](const DisplayImage& image, int strength, std::uint64_t,
-                          std::uint64_t) { return with_blur(image, strength); }},
-    Distortion{"jpeg", [](const DisplayImage& image, int strength, std::uint64_t,
-                          std::uint64_t) { return with_jpeg(image, strength); }},
-    Distortion{"levels", [](const DisplayImage& image, int strength, std::uint64_t,
-                            std::uint64_t) { return with_levels(image, strength); }},
-    Distortion{"highlights", [](const DisplayImage& image, int strength, std::uint64_t,
-                                std::uint64_t) { return with_cut_highlights(image, strength); }},
-    Distortion{"shadows", [](const DisplayImage& image, int strength, std::uint64_t,
-                             std::uint64_t) { return with_cut_shadows(image, strength); }},
-    Distortion{"blank", [](const DisplayImage& image, int strength, std::uint64_t,
-                           std::uint64_t) { return blank(image, strength); }},
+    Distortion{"noise", kStrengths, with_noise},
+    Distortion{"blur", kStrengths,
+               [](const DisplayImage& image, int strength, std::uint64_t, std::uint64_t) {
+                 return with_blur(image, strength);
+               }},
+    Distortion{"jpeg", kStrengths,
+               [](const DisplayImage& image, int strength, std::uint64_t, std::uint64_t) {
+                 return with_jpeg(image, strength);
+               }},
+    Distortion{"levels", kStrengths,
+               [](const DisplayImage& image, int strength, std::uint64_t, std::uint64_t) {
+                 return with_levels(image, strength);
+               }},
+    Distortion{"blank", 1,
+               [](const DisplayImage& image, int strength, std::uint64_t, std::uint64_t) {
+                 return blank(image, strength);
+               }},
 };
 
 /// The picture and its distortions.
@@ -135,7 +130,7 @@ void add_pictures(std::vector<TrainingPicture>& pictures, const std::string& sce
   conditions.threads = options.threads;
   pictures.push_back({scene, "none", 0, brisque_features(truth), 0});
   for (const Distortion& distortion : kDistortions) {
-    for (int strength = 1; strength <= kStrengths; ++strength) {
+    for (int strength = 1; strength <= distortion.strengths; ++strength) {
       const DisplayImage image = distortion.apply(truth, strength, options.seed, pictures.size());
       const double similarity = ssim_gamma(image, truth, conditions).front().value;
       pictures.push_back({scene, distortion.name, strength, brisque_features(image), 100 * (1 - similarity)});

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -142,16 +143,41 @@ std::vector<Measurement> measure_input(const MetricInput& input, const MetricOpt
   return measurements;
 }
 
+bool takes(const Metric& metric, const MetricInput& input) {
+  const bool scene = std::holds_alternative<SceneImage>(input.test);
+  if (!input.reference) return !scene && metric.judge;
+  if (std::holds_alternative<DisplayImage>(*input.reference))
+    return !scene && (metric.compare_display || metric.judge);
+  return scene ? static_cast<bool>(metric.compare_scene) : metric.compare_mapped || metric.judge;
+}
+
+/// "all" leaves out what does not suit the images; of those asked for by name none may be left out.
+void require_named_are_taken(const std::vector<const Metric*>& chosen, const MetricInput& input,
+                             const MetricOptions& options) {
+  const std::vector<std::string> named = split_list(options.names);
+  if (std::find(named.begin(), named.end(), "all") != named.end()) return;
+  std::vector<std::string> taken;
+  for (const Metric& metric : metrics())
+    if (takes(metric, input)) taken.push_back(metric.name);
+  for (const Metric* metric : chosen)
+    if (!takes(*metric, input))
+      throw UsageError(fmt::format(
+          "--metric: {} does not take this kind of images; {}", metric->name,
+          taken.empty() ? "none does" : fmt::format("those that do are {}", fmt::join(taken, ", "))));
+}
+
 void run_metric(const Invocation& invocation, const MetricOptions& options) {
   std::vector<const Metric*> chosen = metrics_named(options.names);
   if (options.reference.empty()) {
-    std::erase_if(chosen, [](const Metric* metric) { return !metric->judge; });
-    if (chosen.empty())
-      throw UsageError(fmt::format("--ref: '{}' compares with a reference image", options.names));
+    const bool judging =
+        std::any_of(chosen.begin(), chosen.end(), [](const Metric* metric) { return !!metric->judge; });
+    if (!judging) throw UsageError(fmt::format("--ref: '{}' compares with a reference image", options.names));
     if (!options.maps.empty()) throw UsageError("--maps: there are maps only of two images; give --ref, too");
   }
+  require_valid(options.viewing);
   Provenance provenance = begin_run(invocation, options.common);
   const MetricInput input = read_input(options, provenance);
+  require_named_are_taken(chosen, input, options);
   ResultTable table;
   chosen = with_known_scale(std::move(chosen), input, options, table);
   const ComparisonConditions conditions = conditions_for(input, options, provenance);

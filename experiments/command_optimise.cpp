@@ -1,8 +1,11 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstring>
 #include <memory>
 
 #include "analysis/plot.h"
@@ -36,9 +39,11 @@ struct OptimiseOptions {
 
 void check_quantity(const std::string& quantity) {
   const std::vector<std::string> known = objective_quantities();
-  if (std::find(known.begin(), known.end(), quantity) == known.end())
-    throw UsageError(
-        fmt::format("--metric: there is no quantity '{}'{}", quantity, did_you_mean(quantity, known)));
+  if (std::find(known.begin(), known.end(), quantity) != known.end()) return;
+  const std::string similar = did_you_mean(quantity, known);
+  throw UsageError(
+      fmt::format("--metric: '{}' is no quantity of a metric that judges tone mapped images{}", quantity,
+                  similar.empty() ? fmt::format("; there are {}", fmt::join(known, ", ")) : similar));
 }
 
 ResultTable trace_rows(const Evolution& evolution, const Objective& objective) {
@@ -79,10 +84,10 @@ ResultTable rows_of(const ToneOptimisation& found, const OptimiseOptions& option
   ResultTable table;
   table.add({objective.quantity, found.start_value, objective.unit, with("parameters", "start")});
   table.add({objective.quantity, found.best_value, objective.unit, with("parameters", "optimised")});
-  for (const SearchParameter& p : generic_search_space()) {
-    const auto k = static_cast<std::size_t>(table.rows().size() - 2);
-    table.add({"parameter_" + p.name, found.evolution.best[k], "1", image});
-  }
+  const std::vector<double> best = parameters_of(found.best);
+  const std::vector<SearchParameter> space = generic_search_space();
+  for (std::size_t k = 0; k < space.size(); ++k)
+    table.add({"parameter_" + space[k].name, best[k], "1", image});
   table.add({"iterations", static_cast<double>(found.evolution.trace.back().iteration), "iterations", image});
   table.add({"evaluations", static_cast<double>(found.evolution.trace.back().evaluations), "images", image});
   table.add({"converged", found.evolution.converged ? 1.0 : 0.0, "1", image});
@@ -101,11 +106,61 @@ std::string settings_line(const GenericOptions& o) {
 ComparisonConditions conditions_of(const OptimiseOptions& options, const Objective& objective) {
   const std::optional<double> scale = luminance_scale(options.cd_m2_per_unit, options.image);
   if (!scale && objective.absolute_luminance) throw UsageError(scale_needed(objective.quantity));
+  if (!objective.viewing && !(options.viewing == ViewingConditions{}))
+    throw UsageError(
+        fmt::format("viewing conditions are for drim: {} does not depend on them", objective.quantity));
+  require_valid(options.viewing);
   ComparisonConditions conditions;
   conditions.threads = options.common.threads;
   conditions.cd_m2_per_unit = scale.value_or(1);
   conditions.viewing = options.viewing;
   return conditions;
+}
+
+/// What the user would not see in the numbers.
+void add_notes(ResultTable& table, const ToneOptimisation& found, const Objective& objective) {
+  const auto note = [&](std::string text) {
+    table.add({kNoteQuantity, 0, "1", {{"note", std::move(text)}}});
+  };
+  if (found.start_kept)
+    note(fmt::format(
+        "The parameters of the start were kept: what was found on the smaller image has {:.4g} at "
+        "full size; a smaller --shrink searches closer to it.",
+        found.found_value));
+  std::string bounds;
+  const std::vector<SearchParameter> space = generic_search_space();
+  for (std::size_t k = 0; k < space.size(); ++k)
+    if (const double v = found.evolution.best[k]; v <= space[k].minimum || v >= space[k].maximum)
+      bounds += (bounds.empty() ? "" : ", ") + space[k].name;
+  if (!bounds.empty() && !found.start_kept)
+    note(fmt::format("At an end of the range: {}; the best may lie beyond.", bounds));
+  if (found.repairs.total() > 0)
+    note(fmt::format(
+        "{} values of the image were NaN, infinite or negative and count as 0 or the largest one.",
+        found.repairs.total()));
+  if (objective.quantity == "brisque_plenolab")
+    note(
+        "brisque_plenolab knows noise, blur, JPEG and few levels; a search may find pictures that it likes "
+        "and "
+        "people do not.");
+}
+
+/// The picture comes last: where anything else cannot be written there is none.
+void write_results_of(const OptimiseOptions& options, const ToneOptimisation& found,
+                      const Objective& objective, Provenance& provenance) {
+  if (!options.trace.empty()) write_text_file(options.trace, to_csv(trace_rows(found.evolution, objective)));
+  if (!options.plot.empty()) write_plot(trace_plot(found.evolution, objective), options.plot);
+  write_run_json_beside(options.out, provenance);
+  write_display_image(options.out, found.image);
+}
+
+/// In single quotes if a shell would take it for anything but one word.
+std::string quoted_for_shell(const std::string& text) {
+  const auto plain = [](unsigned char c) { return std::isalnum(c) || std::strchr("_./-+:,@%=", c); };
+  if (!text.empty() && std::all_of(text.begin(), text.end(), plain)) return text;
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return quoted + "'";
 }
 
 void record_search(Provenance& provenance, const ToneOptimisationOptions& search) {
@@ -143,22 +198,13 @@ void run_optimise(const Invocation& invocation, const OptimiseOptions& given) {
   record_viewing(provenance, conditions.viewing);
   record_search(provenance, options.search);
   const ToneOptimisation found = optimise_with_progress(*view.colour, conditions, options.search);
-  write_display_image(options.out, found.image);
-  if (!options.trace.empty()) write_text_file(options.trace, to_csv(trace_rows(found.evolution, objective)));
-  if (!options.plot.empty()) write_plot(trace_plot(found.evolution, objective), options.plot);
-  write_run_json_beside(options.out, provenance);
+  write_results_of(options, found, objective, provenance);
   tell(options.common, fmt::format("wrote {}", options.out));
   ResultTable table = rows_of(found, options, objective);
-  if (objective.cost(found.best_value) > objective.cost(found.start_value))
-    table.add(
-        {kNoteQuantity,
-         0,
-         "1",
-         {{"note", std::string("At full size the parameters of the start are better than those found on "
-                               "the smaller image; --shrink 1 searches at full size.")}}});
+  add_notes(table, found, objective);
   emit_results(table, provenance, options.common);
   tell(options.common, fmt::format("The same by hand: plenolab tonemap {} -o OUT.png --operator generic {}",
-                                   options.image, settings_line(found.best)));
+                                   quoted_for_shell(options.image), settings_line(found.best)));
 }
 
 void add_search_options(CLI::App& app, OptimiseOptions& options) {
@@ -186,7 +232,8 @@ void add_optimise_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("-o,--out", options->out, "Tone mapped image (.png)")
       ->required()
       ->check(file_ending_in({".png"}));
-  app.add_option("--metric", options->search.quantity, "Quantity to improve, of those that `metric` prints")
+  app.add_option("--metric", options->search.quantity,
+                 "Quantity to improve, of a metric that judges tone mapped images")
       ->capture_default_str();
   add_search_options(app, *options);
   add_luminance_scale_option(app, options->cd_m2_per_unit);

@@ -74,7 +74,10 @@ LightField field_of(const SweepOptions& options) {
 }
 
 SweepRun run_of(const SweepOptions& options, ProgressBar& bar) {
-  return {.runs = options.runs, .threads = options.common.threads, .progress = bar.callback()};
+  return {.runs = options.runs,
+          .threads = options.common.threads,
+          .seed = options.common.seed,
+          .progress = bar.callback()};
 }
 
 /// What a method came to, with its plots below `folder`.
@@ -178,13 +181,15 @@ ResultTable run_drim_sweep(const SweepOptions& options, const fs::path& folder) 
   return table;
 }
 
+constexpr const char* kObjective = "feature_content_adaptive";
+
 ResultTable run_optimise_sweep(const SweepOptions& options, const fs::path& folder) {
   const SweepImage image = image_of(options);
   const double cd_m2_per_unit = scale_of(options);
   ProgressBar bar("sweep");
-  const ResultTable table = sweep_optimise(image, cd_m2_per_unit, "feature_content_adaptive",
+  const ResultTable table = sweep_optimise(image, cd_m2_per_unit, kObjective,
                                            all_optimise_settings(), run_of(options, bar));
-  write_sweep_plot(table, optimise_sweep_plot(), image.name, folder);
+  write_sweep_plot(table, optimise_sweep_plot(describe_objective(kObjective)), image.name, folder);
   return table;
 }
 
@@ -272,6 +277,8 @@ const std::vector<SweepMethod>& methods() {
        run_optimise_sweep,
        {"image", "shrink", "children", "iterations"},
        {{"objective", "feature_content_adaptive"},
+        {"objective_best", "best seed"},
+        {"objective_worst", "worst seed"},
         {"objective_excess", "above the best"},
         {"evaluations", "images judged"},
         {"seconds_median", "seconds"},
@@ -369,7 +376,7 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
       ->check(not_empty());
-  app.add_option("--runs", options->runs, "Timed runs of every setting and position")
+  app.add_option("--runs", options->runs, "Timed runs of every setting and position; of optimise also searches with different seeds")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");

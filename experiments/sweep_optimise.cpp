@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/quantile.h"
 #include "experiments/optimise/tone_optimiser.h"
 
 namespace plenolab {
@@ -12,13 +13,35 @@ namespace plenolab {
 namespace {
 
 ToneOptimisation optimise_with(const OptimiseSetting& setting, const std::string& quantity,
-                               const SceneImage& image, const ComparisonConditions& conditions) {
+                               const SceneImage& image, const ComparisonConditions& conditions,
+                               std::uint64_t seed) {
   ToneOptimisationOptions options;
   options.quantity = quantity;
   options.shrink = setting.shrink;
   options.evolution.children = setting.children;
   options.evolution.most_iterations = setting.iterations;
+  options.evolution.seed = seed;
   return optimise_tones(image, conditions, options);
+}
+
+/// The median of searches with several seeds, and how far these lie apart.
+void search_with_seeds(SweepOutcome& outcome, const OptimiseSetting& setting, const Objective& objective,
+                       const SceneImage& image, const ComparisonConditions& conditions, const SweepRun& run) {
+  std::vector<double> costs, evaluations;
+  for (int k = 0; k < run.runs; ++k) {
+    const ToneOptimisation found = optimise_with(setting, objective.quantity, image, conditions,
+                                                 run.seed + static_cast<std::uint64_t>(k));
+    costs.push_back(objective.cost(found.best_value));
+    evaluations.push_back(static_cast<double>(found.evolution.trace.back().evaluations));
+  }
+  std::sort(costs.begin(), costs.end());
+  std::sort(evaluations.begin(), evaluations.end());
+  outcome.error = quantile_of_sorted<double>(costs, 0.5);
+  const auto value = [&](double cost) { return objective.higher_is_better ? -cost : cost; };
+  outcome.values = {{"objective", value(outcome.error), objective.unit},
+                    {"objective_best", value(costs.front()), objective.unit},
+                    {"objective_worst", value(costs.back()), objective.unit},
+                    {"evaluations", quantile_of_sorted<double>(evaluations, 0.5), "images"}};
 }
 
 }  // namespace
@@ -47,14 +70,10 @@ ResultTable sweep_optimise(const SweepImage& image, double cd_m2_per_unit, const
                        {"children", static_cast<long long>(setting.children)},
                        {"iterations", static_cast<long long>(setting.iterations)},
                        {"search", fmt::format("{} × {}", setting.children, setting.iterations)}};
-    const ToneOptimisation found = optimise_with(setting, quantity, scene, conditions);
-    outcome.error = objective.cost(found.best_value);
+    search_with_seeds(outcome, setting, objective, scene, conditions, run);
     best = std::min(best, outcome.error);
-    outcome.values = {
-        {"objective", found.best_value, objective.unit},
-        {"evaluations", static_cast<double>(found.evolution.trace.back().evaluations), "images"}};
     time_setting(
-        outcome, [&] { optimise_with(setting, quantity, scene, conditions); }, run.runs);
+        outcome, [&] { optimise_with(setting, quantity, scene, conditions, run.seed); }, run.runs);
     if (run.progress)
       run.progress(static_cast<double>(outcomes.size()) / static_cast<double>(settings.size()));
   }
@@ -67,8 +86,8 @@ ResultTable sweep_optimise(const SweepImage& image, double cd_m2_per_unit, const
   return table;
 }
 
-SweepPlotDesign optimise_sweep_plot() {
-  return {"objective", "Objective at full size", "1", {"shrink"}, "search"};
+SweepPlotDesign optimise_sweep_plot(const Objective& objective) {
+  return {"objective_excess", objective.quantity + " above the best", objective.unit, {"shrink"}, "search"};
 }
 
 }  // namespace plenolab

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -24,6 +25,7 @@ struct SweepImage {
 struct SweepRun {
   int runs = 3;  ///< timed runs of every setting, ≥ 1
   int threads = 0;
+  std::uint64_t seed = 1;  ///< of sweeps whose result is random
   Progress progress;
 };
 

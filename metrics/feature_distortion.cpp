@@ -24,11 +24,15 @@ Plane<float> luma_of(const DisplayImage& image) {
   return luma;
 }
 
-/// Valid values, sorted.
-std::vector<float> sorted_values(const Plane<float>& plane, const Mask* valid) {
+std::vector<float> valid_values(const Plane<float>& plane, const Mask* valid) {
   std::vector<float> values;
   for (std::size_t i = 0; i < plane.size(); ++i)
     if (is_valid(valid, i)) values.push_back(plane.pixels()[i]);
+  return values;
+}
+
+std::vector<float> sorted_values(const Plane<float>& plane, const Mask* valid) {
+  std::vector<float> values = valid_values(plane, valid);
   std::sort(values.begin(), values.end());
   return values;
 }
@@ -183,7 +187,7 @@ void FeatureOptions::validate() const {
                                  brightness_weight, saliency_weight, detail_weight));
 }
 
-Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, double centre) {
+Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, double centre, const Mask*) {
   Plane<float> luma(windowed_luminance.width(), windowed_luminance.height());
   for (std::size_t i = 0; i < luma.size(); ++i) {
     const double scaled = static_cast<double>(windowed_luminance.pixels()[i]) / centre;
@@ -192,10 +196,12 @@ Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, dou
   return luma;
 }
 
-Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double) {
-  const auto pixels = windowed_luminance.pixels();
-  const float largest = *std::max_element(pixels.begin(), pixels.end());
-  const PqHistogram histogram = measure_pq_histogram(windowed_luminance, static_cast<double>(largest), 1);
+Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double, const Mask* valid) {
+  const std::vector<float> values = valid_values(windowed_luminance, valid);
+  Plane<float> row(static_cast<int>(values.size()), 1);
+  std::copy(values.begin(), values.end(), row.row(0));
+  const float largest = *std::max_element(values.begin(), values.end());
+  const PqHistogram histogram = measure_pq_histogram(row, static_cast<double>(largest), 1);
   return apply_curve(fit_curve({}, histogram), windowed_luminance);
 }
 
@@ -227,7 +233,8 @@ FeatureReference feature_reference(const Plane<float>& luminance, const FeatureO
   parallel_for(static_cast<int>(photographs.size()), 1, threads, [&](int begin, int end) {
     for (int i = begin; i < end; ++i) {
       const double centre = reference.centres[static_cast<std::size_t>(i)];
-      const Plane<float> luma = options.photograph(windowed(filled, centre, options.half_window_ev), centre);
+      const Plane<float> luma =
+          options.photograph(windowed(filled, centre, options.half_window_ev), centre, valid);
       photographs[static_cast<std::size_t>(i)] = {mean_of(luma, valid), saliency_of(luma, valid),
                                                   gradient_energy(luma, valid)};
     }
@@ -261,7 +268,7 @@ FeatureDistortion feature_distortion(const DisplayImage& test, const FeatureRefe
 std::vector<Measurement> feature_photographic(const DisplayImage& test, const SceneImage& reference,
                                               const ComparisonConditions& conditions) {
   check_comparable(test, reference, conditions);
-  return measure_features("feature_photographic", test, scene_luminance(reference, 1), {}, conditions);
+  return measure_features("feature_photographic", test, relative_luminance(reference), {}, conditions);
 }
 
 std::vector<Measurement> feature_content_adaptive(const DisplayImage& test, const SceneImage& reference,

@@ -15,16 +15,19 @@
 namespace plenolab {
 
 /// One virtual photograph: luma in [0, 1] of luminance that lies within the window of an exposure,
-/// [centre/2^half_window_ev, centre·2^half_window_ev].
-using Photograph = std::function<Plane<float>(const Plane<float>& windowed_luminance, double centre)>;
+/// [centre/2^half_window_ev, centre·2^half_window_ev]. Luma of valid pixels must not depend on the others.
+using Photograph =
+    std::function<Plane<float>(const Plane<float>& windowed_luminance, double centre, const Mask* valid)>;
 
 /// Gao's version: the photographic operator of Reinhard et al. 2002 with the centre in place of the scaled
 /// log average: s = L/centre, luma = (s/(1 + s))^(1/2.2).
-Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, double centre);
+Plane<float> photographic_photograph(const Plane<float>& windowed_luminance, double centre,
+                                     const Mask* valid = nullptr);
 
 /// Zhao's version: the content adaptive operator (core/tonemap/content_adaptive.h, default options) fitted to
-/// the window. Luminance has to be in cd/m².
-Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double centre);
+/// the valid pixels in the window. Luminance has to be in cd/m².
+Plane<float> content_adaptive_photograph(const Plane<float>& windowed_luminance, double centre,
+                                         const Mask* valid = nullptr);
 
 struct FeatureOptions {
   double step_ev = 2;         ///< between exposure centres, (0, 16]

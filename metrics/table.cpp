@@ -140,6 +140,7 @@ std::vector<Metric> make_table() {
        .compare_scene = static_cast<SceneCompare>(drim),
        .compare_display = static_cast<DisplayCompare>(drim),
        .compare_mapped = static_cast<MappedCompare>(drim),
+       .viewing = true,
        .absolute_luminance = true},
       {.name = "tmqi",
        .family = "tmqi",

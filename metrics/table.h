@@ -50,6 +50,7 @@ struct Metric {
   /// A display-referred image alone; empty for metrics that need a reference, and the only one that is not
   /// empty for those that take none.
   std::function<std::vector<Measurement>(const DisplayImage& test, const ComparisonConditions&)> judge;
+  bool viewing = false;             ///< whether the numbers depend on the viewing conditions
   bool absolute_luminance = false;  ///< whether the numbers mean nothing without the scale of scene images
 };
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/image/colour.h"
@@ -20,6 +21,14 @@ void check_between(const char* what, double value, double low, double high) {
 Rgb clamp_unit(Rgb c) {
   const auto clamp = [](float v) { return std::clamp(v, 0.0f, 1.0f); };
   return {clamp(c.r), clamp(c.g), clamp(c.b)};
+}
+
+/// In double: the largest radiances times a scale do not fit a float.
+double positive_luminance(Rgb c) {
+  const auto term = [](float weight, float v) {
+    return v > 0 ? static_cast<double>(weight) * static_cast<double>(v) : 0;
+  };
+  return term(kLuminanceWeights.r, c.r) + term(kLuminanceWeights.g, c.g) + term(kLuminanceWeights.b, c.b);
 }
 
 }  // namespace
@@ -48,14 +57,17 @@ Plane<float> displayed_luminance(const DisplayImage& image, const ViewingConditi
 Plane<float> scene_luminance(const SceneImage& image, double cd_m2_per_unit) {
   Plane<float> result(image.width(), image.height());
   for (std::size_t i = 0; i < image.size(); ++i) {
-    const Rgb c = image.pixels()[i];
-    // In double: the largest radiances times a scale do not fit a float.
-    const double sum = static_cast<double>(kLuminanceWeights.r) * static_cast<double>(c.r) +
-                       static_cast<double>(kLuminanceWeights.g) * static_cast<double>(c.g) +
-                       static_cast<double>(kLuminanceWeights.b) * static_cast<double>(c.b);
-    result.pixels()[i] = static_cast<float>(std::clamp(cd_m2_per_unit * sum, 0.0, kLargestLuminance));
+    const double scaled = cd_m2_per_unit * positive_luminance(image.pixels()[i]);
+    result.pixels()[i] = static_cast<float>(std::min(scaled, kLargestLuminance));
   }
   return result;
+}
+
+Plane<float> relative_luminance(const SceneImage& image) {
+  double largest = 0;
+  for (const Rgb c : image.pixels())
+    if (const double l = positive_luminance(c); std::isfinite(l)) largest = std::max(largest, l);
+  return scene_luminance(image, largest > 0 ? 1 / largest : 1);
 }
 
 }  // namespace plenolab

@@ -15,6 +15,7 @@ struct ViewingConditions {
 
   /// Throws InputError naming the first value out of range.
   void validate() const;
+  friend bool operator==(const ViewingConditions&, const ViewingConditions&) = default;
 };
 
 /// Luminance in cd/m² that the display of the conditions emits at each pixel:
@@ -22,8 +23,11 @@ struct ViewingConditions {
 /// nearer end.
 Plane<float> displayed_luminance(const DisplayImage& image, const ViewingConditions& viewing);
 
-/// Luminance in cd/m² of a scene whose value 1 is `cd_m2_per_unit`; negative luminance counts as 0, above
-/// 1e10 as 1e10 (six times the sun's).
+/// Luminance in cd/m² of a scene whose value 1 is `cd_m2_per_unit`. Negative values of a channel count as 0,
+/// as they do to tone mapping operators; luminance above 1e10 counts as 1e10 (six times the sun's).
 Plane<float> scene_luminance(const SceneImage& image, double cd_m2_per_unit);
+
+/// Luminance in units of the largest one, for what does not depend on the unit; 0 for a black image.
+Plane<float> relative_luminance(const SceneImage& image);
 
 }  // namespace plenolab

@@ -120,6 +120,8 @@ PqHistogram measure_pq_histogram(const Plane<float>& luminance_cd_m2, double lar
   histogram.counts.assign(kBins, 0);
   histogram.signal_max = std::clamp(pq_signal(largest_cd_m2), 1.0, kLargestSignal);
   Plane<std::uint16_t> bins(luminance_cd_m2.width(), luminance_cd_m2.height());
+  // What counts as the largest signal has its luminance in the average, too: else all would be dark to it.
+  const double most_cd_m2 = pq_luminance(kLargestSignal);
   parallel_for(bins.height(), kRowsAtOnce, threads, [&](int begin, int end) {
     for (int y = begin; y < end; ++y)
       for (int x = 0; x < bins.width(); ++x)
@@ -130,7 +132,7 @@ PqHistogram measure_pq_histogram(const Plane<float>& luminance_cd_m2, double lar
     ++histogram.counts[bins.pixels()[i]];
     const float luminance = luminance_cd_m2.pixels()[i];
     if (!(luminance > 0)) continue;
-    histogram.log10_sum += std::log10(static_cast<double>(luminance));
+    histogram.log10_sum += std::log10(std::min(static_cast<double>(luminance), most_cd_m2));
     ++histogram.positive;
   }
   return histogram;

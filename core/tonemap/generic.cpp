@@ -148,7 +148,7 @@ void modulate_bands(const GenericOptions& options, Plane<float>& luma) {
 
 GenericParameters fit(const GenericOptions& options, const ImageStatistics& statistics) {
   options.validate();
-  return {options, std::clamp(statistics.log_average, -37.0, 37.0)};
+  return {options, std::clamp(statistics.log_average, -37.0, 38.6)};
 }
 
 ToneMapped apply(const GenericParameters& p, const SceneImage& view, int threads) {

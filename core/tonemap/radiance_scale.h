@@ -15,8 +15,8 @@ struct RadianceScale {
   /// Factor on radiance: to cd/m² if that is known, else so that the log average becomes `log_average_cd_m2`.
   double to_cd_m2(double log_average_cd_m2) const {
     // Within what operators take as a factor.
-    return cd_m2_per_unit.value_or(std::pow(10.0, std::fmin(std::fmax(-log_average, -8.0), 8.0)) *
-                                   log_average_cd_m2);
+    const double log_factor = std::log10(log_average_cd_m2) - log_average;
+    return cd_m2_per_unit.value_or(std::pow(10.0, std::fmin(std::fmax(log_factor, -12.0), 12.0)));
   }
 };
 

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "core/base/error.h"
 #include "experiments/cli/checks.h"
 #include "experiments/tonemap_fit.h"
 
@@ -19,11 +20,17 @@ void add_viewing_options(CLI::App& app, ViewingConditions& viewing) {
       ->capture_default_str();
   app.add_option("--display-peak", viewing.display_peak_cd_m2,
                  "White of the display that shows a .png, cd/m2")
-      ->check(positive_number())
+      ->check(number_between(1e-6, 1e6))
       ->capture_default_str();
   app.add_option("--display-black", viewing.display_black_cd_m2, "Black of that display, cd/m2")
       ->check(number_between(0, 1e6))
       ->capture_default_str();
+}
+
+void require_valid(const ViewingConditions& viewing) {
+  if (viewing.display_black_cd_m2 >= viewing.display_peak_cd_m2)
+    throw UsageError(fmt::format("--display-black {:g} must be below --display-peak {:g}",
+                                 viewing.display_black_cd_m2, viewing.display_peak_cd_m2));
 }
 
 void record_viewing(Provenance& provenance, const ViewingConditions& viewing) {

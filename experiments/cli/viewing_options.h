@@ -15,6 +15,9 @@ namespace plenolab {
 /// Declares --pixels-per-degree, --distance, --display-peak and --display-black.
 void add_viewing_options(CLI::App& app, ViewingConditions& viewing);
 
+/// Throws UsageError unless black is below the peak.
+void require_valid(const ViewingConditions& viewing);
+
 /// Notes the viewing conditions among the parameters of a run.
 void record_viewing(Provenance& provenance, const ViewingConditions& viewing);
 

@@ -39,9 +39,10 @@ std::function<double(const DisplayImage&)> feature_measure(const SceneImage& sce
                                                            bool content_adaptive) {
   FeatureOptions options;
   if (content_adaptive) options.photograph = content_adaptive_photograph;
-  const double unit = content_adaptive ? conditions.cd_m2_per_unit : 1;
+  const Plane<float> luminance =
+      content_adaptive ? scene_luminance(scene, conditions.cd_m2_per_unit) : relative_luminance(scene);
   const auto reference = std::make_shared<const FeatureReference>(
-      feature_reference(scene_luminance(scene, unit), options, conditions.valid, conditions.threads));
+      feature_reference(luminance, options, conditions.valid, conditions.threads));
   return [reference, options, valid = conditions.valid](const DisplayImage& mapped) {
     return feature_distortion(mapped, *reference, options, valid).total;
   };
@@ -63,7 +64,11 @@ Objective describe_objective(const std::string& quantity) {
   if (!found)
     throw InputError(fmt::format("there is no quantity '{}' to optimise; choose one of {}", quantity,
                                  fmt::join(objective_quantities(), ", ")));
-  return {found->name, found->unit, found->better == Better::kHigher, metric->absolute_luminance, {}};
+  return {.quantity = found->name,
+          .unit = found->unit,
+          .higher_is_better = found->better == Better::kHigher,
+          .viewing = metric->viewing,
+          .absolute_luminance = metric->absolute_luminance};
 }
 
 Objective make_objective(const std::string& quantity, const SceneImage& scene,

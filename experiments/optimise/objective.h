@@ -13,7 +13,8 @@ namespace plenolab {
 struct Objective {
   std::string quantity, unit;
   bool higher_is_better = false;
-  bool absolute_luminance = false;  ///< whether the number means nothing without the scale of the scene
+  bool viewing = false;             ///< whether the number depends on the viewing conditions
+  bool absolute_luminance = false;  ///< whether it means nothing without the scale of the scene
   /// The number as the metric reports it. May be called from several threads at once.
   std::function<double(const DisplayImage& mapped)> measure;
 

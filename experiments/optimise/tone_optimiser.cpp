@@ -35,11 +35,16 @@ ScoreAll scores_of(const SceneImage& scene, const Objective& objective, const Im
   };
 }
 
-/// Conditions for the objective while candidates are evaluated side by side.
-ComparisonConditions one_thread(ComparisonConditions conditions, int shrink) {
+/// Conditions for the objective of the smaller image while candidates are evaluated side by side.
+ComparisonConditions search_conditions(ComparisonConditions conditions, int shrink) {
   conditions.threads = 1;
-  conditions.viewing.pixels_per_degree =
-      std::max(1.0, conditions.viewing.pixels_per_degree / static_cast<double>(shrink));
+  const double full_size = conditions.viewing.pixels_per_degree;
+  conditions.viewing.pixels_per_degree /= static_cast<double>(shrink);
+  if (conditions.viewing.pixels_per_degree < 1)
+    throw InputError(
+        fmt::format("an image of {:g} pixels per degree cannot be shrunk by {}: less than 1 would "
+                    "be left",
+                    full_size, shrink));
   return conditions;
 }
 
@@ -52,14 +57,10 @@ void ToneOptimisationOptions::validate() const {
 }
 
 std::vector<SearchParameter> generic_search_space() {
-  const GenericOptions start;
-  return {{"b", start.brightness, -2, 2},
-          {"d_l", start.low_range, 0.001, 2.5},
-          {"d_h", start.high_range, 0.001, 2.5},
-          {"c", start.contrast, 0.2, 1.5},
-          {"m1", start.fine, -2, 2},
-          {"m2", start.middle, -2, 2},
-          {"m3", start.coarse, -2, 2}};
+  const std::vector<double> start = parameters_of({});
+  return {{"b", start[0], -2, 2},    {"d_l", start[1], 0.001, 2.5}, {"d_h", start[2], 0.001, 2.5},
+          {"c", start[3], 0.2, 1.5}, {"m1", start[4], -2, 2},       {"m2", start[5], -2, 2},
+          {"m3", start[6], -2, 2}};
 }
 
 GenericOptions generic_options(std::span<const double> p) {
@@ -73,6 +74,10 @@ GenericOptions generic_options(std::span<const double> p) {
   options.middle = p[5];
   options.coarse = p[6];
   return options;
+}
+
+std::vector<double> parameters_of(const GenericOptions& o) {
+  return {o.brightness, o.low_range, o.high_range, o.contrast, o.fine, o.middle, o.coarse};
 }
 
 SceneImage averaged_down(const SceneImage& image, int shrink) {
@@ -99,8 +104,10 @@ ToneOptimisation optimise_tones(const SceneImage& scene, const ComparisonConditi
   const SceneImage& full = repaired.image();
   const Stopwatch watch;
   const SceneImage small = averaged_down(full, options.shrink);
-  const Objective objective = make_objective(options.quantity, small, one_thread(conditions, options.shrink));
+  const Objective objective =
+      make_objective(options.quantity, small, search_conditions(conditions, options.shrink));
   ToneOptimisation result;
+  result.repairs = repaired.repairs();
   result.evolution = minimise_by_evolution(
       generic_search_space(),
       scores_of(small, objective, statistics_of(small, conditions.threads), conditions.threads),
@@ -110,10 +117,16 @@ ToneOptimisation optimise_tones(const SceneImage& scene, const ComparisonConditi
   result.best.band_scale = options.shrink;  // the bands that the search saw
   const Objective at_full_size = make_objective(options.quantity, full, conditions);
   const ImageStatistics statistics = statistics_of(full, conditions.threads);
-  result.start_value =
-      at_full_size.measure(apply(fit(GenericOptions{}, statistics), full, conditions.threads).image);
+  DisplayImage start = apply(fit(GenericOptions{}, statistics), full, conditions.threads).image;
+  result.start_value = at_full_size.measure(start);
   result.image = apply(fit(result.best, statistics), full, conditions.threads).image;
-  result.best_value = at_full_size.measure(result.image);
+  result.best_value = result.found_value = at_full_size.measure(result.image);
+  if (at_full_size.cost(result.found_value) > at_full_size.cost(result.start_value)) {
+    result.start_kept = true;
+    result.best = {};
+    result.best_value = result.start_value;
+    result.image = std::move(start);
+  }
   return result;
 }
 

@@ -58,6 +58,16 @@ TEST(HistogramShape, DoesNotDependOnTheUnitNorOnBlackPixels) {
   EXPECT_NEAR(before->jaggedness, after->jaggedness, 1e-2);
 }
 
+TEST(HistogramShape, OfTwoLuminancesIsTwoSpikes) {
+  Plane<float> image(2, 1, 1.0f);
+  image.at(1, 0) = 100;
+  const auto shape = histogram_shape(image);
+  ASSERT_TRUE(shape);
+  EXPECT_NEAR(shape->concentration, 1, 1e-9);
+  EXPECT_GT(shape->jaggedness, 0.8);
+  EXPECT_LE(shape->jaggedness, 1);
+}
+
 TEST(HistogramShape, OfABlackImageIsNone) {
   EXPECT_FALSE(histogram_shape(Plane<float>(4, 4)));
   EXPECT_FALSE(histogram_shape(Plane<float>()));

@@ -110,6 +110,18 @@ TEST_F(MetricCommand, JudgesAPictureWithoutAReference) {
   expect_one_clear_sentence(run_program({"metric", "--test", scene_, "--metric", "brisque"}), ".png");
 }
 
+TEST_F(MetricCommand, LeavesOutNoMetricThatWasNamed) {
+  const auto refused = [&](Arguments arguments, const std::string& hint) {
+    arguments.insert(arguments.begin(), "metric");
+    expect_one_clear_sentence(run_program(arguments), hint, 2);
+  };
+  refused({"--ref", scene_, "--test", picture_, "--metric", "psnr,tmqi"}, "psnr_linear does not take");
+  refused({"--test", picture_, "--metric", "ssim,brisque"}, "ssim_gamma does not take");
+  refused({"--ref", scene_, "--test", picture_, "--display-peak", "1e7"}, "--display-peak");
+  refused({"--ref", scene_, "--test", picture_, "--display-black", "400"},
+          "--display-black 400 must be below");
+}
+
 TEST_F(MetricCommand, TellsWhichWayRoundImagesGo) {
   expect_one_clear_sentence(run_program({"metric", "--ref", picture_, "--test", scene_}),
                             "tone mapped image as the test");

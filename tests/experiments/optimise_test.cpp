@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <sstream>
 
 #include "core/base/error.h"
@@ -95,6 +96,42 @@ TEST(ToneOptimiser, BlocksAreAveragedAndBordersKeepTheirOwn) {
   EXPECT_FLOAT_EQ(small.at(1, 0).g, 7);
 }
 
+/// Bright grains that blocks of 2 × 2 average away.
+SceneImage grains() {
+  SceneImage scene(64, 48);
+  for (int y = 0; y < 48; ++y)
+    for (int x = 0; x < 64; ++x)
+      scene.at(x, y) =
+          Rgb{1, 1, 1} * (x % 2 == 0 && y % 2 == 0 ? 300.0f : 0.01f * static_cast<float>(1 + x % 7));
+  return scene;
+}
+
+TEST(ToneOptimiser, IsNeverWorseThanTheStartAtFullSizeEither) {
+  int kept = 0;
+  for (const char* quantity : {"feature_photographic", "tmqi", "feature_content_adaptive"}) {
+    ToneOptimisationOptions options = short_search(8);
+    options.quantity = quantity;
+    const Objective objective = describe_objective(quantity);
+    const ToneOptimisation found = optimise_tones(grains(), {}, options);
+    EXPECT_LE(objective.cost(found.best_value), objective.cost(found.start_value)) << quantity;
+    EXPECT_EQ(found.start_kept, objective.cost(found.found_value) > objective.cost(found.start_value));
+    if (found.start_kept) EXPECT_EQ(parameters_of(found.best), parameters_of({}));
+    kept += found.start_kept;
+  }
+  EXPECT_GT(kept, 0) << "no example of a search on the smaller image that leads astray";
+}
+
+TEST(ToneOptimiser, RefusesToShrinkBelowOnePixelPerDegree) {
+  ToneOptimisationOptions options = short_search(32);
+  options.quantity = "drim_mean_total";
+  EXPECT_THROW(optimise_tones(two_halves(), {}, options), InputError);
+}
+
+TEST(ToneOptimiser, ParametersAndOptionsAreTheSameThing) {
+  const std::vector<double> parameters{0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7};
+  EXPECT_EQ(parameters_of(generic_options(parameters)), parameters);
+}
+
 TEST(ToneOptimiser, SaysWhatIsOutOfRange) {
   ToneOptimisationOptions options = short_search(0);
   EXPECT_THROW(optimise_tones(two_halves(), {}, options), InputError);
@@ -115,6 +152,22 @@ TEST(OptimiseSweep, HasNoErrorAtTheBestAndMoreWithoutSearch) {
   ASSERT_EQ(errors.size(), 3u);
   EXPECT_EQ(*std::min_element(errors.begin(), errors.end()), 0);
   EXPECT_GT(errors[0], errors[1]) << "the start is worse than what a search at full size finds";
+}
+
+TEST(OptimiseSweep, TakesTheMedianOfSeveralSeeds) {
+  SweepImage image{"halves", {}};
+  image.view.colour = std::make_shared<const SceneImage>(two_halves());
+  const auto rows = [&](std::uint64_t seed) {
+    std::map<std::string, double> values;
+    for (const ResultRow& row :
+         sweep_optimise(image, 1, "feature_photographic", {{1, 3, 3}}, {.runs = 3, .seed = seed}).rows())
+      values[row.quantity] = row.value;
+    return values;
+  };
+  auto first = rows(1), other = rows(50);
+  EXPECT_LT(first["objective_best"], first["objective"]);
+  EXPECT_LT(first["objective"], first["objective_worst"]);
+  EXPECT_NE(first["objective"], other["objective"]);
 }
 
 class OptimiseCommand : public testing::Test {
@@ -166,6 +219,23 @@ TEST_F(OptimiseCommand, RefusesWrongUseInOneSentence) {
   }
 }
 
+TEST_F(OptimiseCommand, WritesNoPictureWhereItsTraceCannotBeWritten) {
+  const ProgramResult result = run({"--trace", "/proc/trace.csv"});
+  expect_one_clear_sentence(result, "cannot write /proc/trace.csv");
+  EXPECT_FALSE(std::filesystem::exists(out_));
+}
+
+TEST_F(OptimiseCommand, TellsOfRepairsAndQuotesNamesForTheShell) {
+  scene_ = (folder_.path() / "it's a scene.exr").string();
+  SceneImage damaged = two_halves();
+  damaged.at(3, 3).r = -1;
+  write_scene_image(scene_, damaged, 100);
+  const ProgramResult result = run({});
+  ASSERT_EQ(result.status, 0) << result.err;
+  EXPECT_NE(result.out.find("1 values of the image were NaN"), std::string::npos) << result.out;
+  EXPECT_NE(result.out.find("/it'\\''s a scene.exr' -o"), std::string::npos) << result.out;
+}
+
 TEST_F(OptimiseCommand, NeedsTheScaleOfAbsoluteLuminanceOnlyWhereItMatters) {
   write_scene_image(scene_, two_halves());
   const ProgramResult unknown = run({});
@@ -186,6 +256,7 @@ TEST_F(OptimiseCommand, PicturesAreJudgedAsTheyAreLookedAt) {
     return result.out.substr(0, result.out.find("seconds_search"));
   };
   EXPECT_NE(drim({}), drim({"--pixels-per-degree", "5", "--display-black", "20"}));
+  expect_one_clear_sentence(run({"--pixels-per-degree", "5"}), "does not depend on them", 2);
 }
 
 }  // namespace

@@ -107,7 +107,7 @@ TEST(FeatureDistortion, WeighsAsTheOptionsSay) {
 TEST(FeatureReference, TakesPhotographsByTheOperatorGiven) {
   FeatureOptions options;
   int calls = 0;
-  options.photograph = [&](const Plane<float>& window, double centre) {
+  options.photograph = [&](const Plane<float>& window, double centre, const Mask*) {
     ++calls;
     for (const float v : window.pixels()) {
       EXPECT_GE(v, 0.999 * centre / 8);
@@ -133,6 +133,37 @@ TEST(FeatureReference, OfContentAdaptivePhotographsShowsMoreDetailWherePixelsAre
     return reference.gradient_energy.at(10, 10) + reference.gradient_energy.at(50, 50);
   };
   EXPECT_GT(energy(adaptive), energy({}));
+}
+
+TEST(FeatureReference, DoesNotDependOnHowManyPixelsAreMasked) {
+  for (const Photograph& photograph :
+       {Photograph(photographic_photograph), Photograph(content_adaptive_photograph)}) {
+    FeatureOptions options;
+    options.photograph = photograph;
+    std::vector<double> brightness;
+    for (const int masked : {8, 64, 400}) {
+      const Plane<float> valid_part = scene(48, 48);
+      Plane<float> luminance(48 + masked, 48, 3.0f);
+      Mask valid(48 + masked, 48);
+      for (int y = 0; y < 48; ++y)
+        for (int x = 0; x < 48; ++x) luminance.at(x, y) = valid_part.at(x, y), valid.at(x, y) = 1;
+      brightness.push_back(feature_reference(luminance, options, &valid).brightness);
+    }
+    EXPECT_NEAR(brightness[1], brightness[0], 1e-9);
+    EXPECT_NEAR(brightness[2], brightness[0], 1e-9);
+  }
+}
+
+TEST(FeaturePhotographic, DoesNotDependOnTheUnitOfTheScene) {
+  const Plane<float> luminance = scene(80, 40);
+  const DisplayImage picture = mapped(luminance, logarithmic);
+  const auto total = [&](float unit) {
+    SceneImage image(80, 40);
+    for (std::size_t i = 0; i < image.size(); ++i)
+      image.pixels()[i] = Rgb{1, 1, 1} * (unit * luminance.pixels()[i]);
+    return feature_photographic(picture, image, {}).front().value;
+  };
+  for (const float unit : {1e-9f, 1e9f, 1e30f}) EXPECT_NEAR(total(unit), total(1), 1e-5) << unit;
 }
 
 TEST(Saliency, IsADistribution) {

@@ -191,7 +191,7 @@ ReproductionResult reproduce_tuning_audit(Laboratory&) {
   findings.add("other_spellings", "names of figure 15 that table 2 does not have", listed(spellings),
                count(spellings));
   result.rows.append(findings.rows);
-  result.rows.add({"mean_reversal_rise", mean_reversal_rise(), "%", {}});
+  result.rows.add({"mean_reversal_rise", mean_reversal_rise(), "percentage points", {}});
   result.add_table(std::move(findings.table));
   result.add_plot("printed-totals", {totals_plot(), "Totals of table 2, from its parts",
                                      "Ten sequences; for each, the distortion of the three methods."});
@@ -202,7 +202,7 @@ ReproductionResult reproduce_tuning_audit(Laboratory&) {
   result.ours_shows = fmt::format(
       "The printed table has the thesis' method lowest in {} of {} sequences, {} of the {} exceptions of its "
       "text among them; {} total{} not the sum of {} parts; {} share {} of nine values, other pairs at most "
-      "{}; reversal rises by {:.2f} % over Gao's on average.",
+      "{}; reversal lies {:.2f} percentage points above Gao's on average.",
       lowest.size(), sequences, exceptions.size(), kPrintedExceptions.size(), sums.size(),
       sums.size() == 1 ? " is" : "s are", sums.size() == 1 ? "its" : "their", repeated.pair, repeated.equal,
       repeated.next, mean_reversal_rise());

@@ -151,9 +151,10 @@ int last_used_bin(const PqHistogram& histogram) {
 struct Slopes {
   PqHistogram histogram;
   ContentAdaptiveCurve curve;
-  std::vector<double> before, after;  ///< photographic and adapted, by bin
-  double pixels = 0, in_heavy = 0;    ///< share of the pixels in heavy bins
-  int lowered = 0, raised = 0;        ///< bins
+  std::vector<double> before, after;      ///< photographic and adapted, by bin
+  double pixels = 0, in_heavy = 0;        ///< share of the pixels in heavy bins
+  int lowered = 0, raised = 0;            ///< bins
+  int heavy_lowered = 0, low_raised = 0;  ///< bins against the figure
 };
 
 Slopes slopes_in(const SectionView& view, int threads) {
@@ -170,8 +171,20 @@ Slopes slopes_in(const SectionView& view, int threads) {
     s.in_heavy += split.heavy[i] ? static_cast<double>(s.histogram.counts[i]) / s.pixels : 0;
     s.lowered += s.after[i] < s.before[i] * (1 - kEqual) ? 1 : 0;
     s.raised += s.after[i] > s.before[i] * (1 + kEqual) ? 1 : 0;
+    s.heavy_lowered += split.heavy[i] && s.after[i] < s.before[i] * (1 - kEqual) ? 1 : 0;
+    s.low_raised += !split.heavy[i] && s.after[i] > s.before[i] * (1 + kEqual) ? 1 : 0;
   }
   return s;
+}
+
+std::string differs_of(const Slopes& s) {
+  if (!s.curve.plain.empty())
+    return fmt::format("Nothing is redistributed in this view, which keeps the photographic curve: {}.",
+                       s.curve.plain);
+  if (s.heavy_lowered + s.low_raised > 0)
+    return fmt::format("Against the figure, {} bins of many pixels have less slope and {} of few have more.",
+                       s.heavy_lowered, s.low_raised);
+  return "The figure is a sketch on other images; what it says of slopes holds here in every bin.";
 }
 
 void add_slope_rows(ResultTable& rows, const Slopes& s) {
@@ -250,11 +263,7 @@ ReproductionResult reproduce_adapted_slopes(Laboratory& laboratory) {
       "photographic curve, {} more, at most {:.1f} times as much; the rise of the whole curve stays.",
       scene.title(), view.name, s.curve.heavy_bins, kBins, percent(s.in_heavy), s.lowered, s.raised,
       s.curve.largest_rise);
-  result.differs =
-      s.curve.plain.empty()
-          ? "The figure is a sketch on other images; what it says of slopes holds here."
-          : "Nothing is redistributed in this view, which keeps the photographic curve: " + s.curve.plain +
-                ".";
+  result.differs = differs_of(s);
   add_slope_rows(result.rows, s);
   add_slope_plots(result, s);
   return result;

@@ -43,9 +43,9 @@ const char* name_of(TuningMethod method) {
     case TuningMethod::kContentAdaptive:
       return "content adaptive";
     case TuningMethod::kGao:
-      return "gao";
+      return "Gao";
     case TuningMethod::kZhao:
-      return "zhao";
+      return "Zhao";
   }
   return "";
 }

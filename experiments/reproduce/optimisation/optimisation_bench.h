@@ -23,7 +23,7 @@ enum class TuningMethod {
 };
 inline constexpr std::array kTuningMethods{TuningMethod::kContentAdaptive, TuningMethod::kGao,
                                            TuningMethod::kZhao};
-/// "content adaptive", "gao", "zhao": as in the thesis' tables.
+/// "content adaptive", "Gao", "Zhao".
 const char* name_of(TuningMethod method);
 
 /// A frame tone mapped by one method, and what DRIM and the no-reference score say of it.

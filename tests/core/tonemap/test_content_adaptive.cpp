@@ -160,6 +160,11 @@ TEST(ContentAdaptive, StaysInRangeForEveryLuminance) {
   }
 }
 
+TEST(ContentAdaptive, AConstantImageIsAsLightAtAnyLuminance) {
+  for (const float level : {1e-3f, 1.0f, 1e6f, 1e12f, 1e15f, 1e30f, 3e38f})
+    EXPECT_NEAR(curve_of(Plane<float>(16, 16, level)).at(static_cast<double>(level)), 0.425f, 0.03f) << level;
+}
+
 TEST(ContentAdaptiveOptions, SayWhatIsOutOfRange) {
   const auto message = [](auto change) {
     ContentAdaptiveOptions options;

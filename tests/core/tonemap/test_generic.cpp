@@ -129,6 +129,15 @@ TEST(Generic, GainsWorkOnImagesOfOnePixelAndOneColumn) {
   }
 }
 
+TEST(Generic, AConstantImageOfAnyLuminanceIsHalfWay) {
+  for (const float level : {1e-37f, 1e-9f, 1.0f, 1e9f, 3e38f}) {
+    const SceneImage image(8, 8, Rgb{level, level, level});
+    const ViewStatistics measured = measure_view(image, 1);
+    const ToneMapped mapped = apply(fit({}, evaluate(measured, log_floor(measured))), image, 1);
+    EXPECT_NEAR(luminance(mapped.image.at(3, 3)), 0.5f, 0.01f) << level;
+  }
+}
+
 TEST(PerceptualQuantiser, HasTheStandardsValuesAndGoesOnAboveThem) {
   EXPECT_NEAR(pq_signal(10000), 1, 1e-12);
   EXPECT_NEAR(pq_signal(100), 0.50808, 5e-6);  // SMPTE ST 2084: 100 cd/m² is code 520 of 1023

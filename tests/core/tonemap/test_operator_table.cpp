@@ -262,7 +262,7 @@ TEST(OperatorTable, TheUnitOfRelativeRadianceDoesNotMatterAndThatOfDeclaredRadia
   for (Rgb& c : brighter.pixels()) c = 1024.0f * c;
   const auto map = [](const OperatorInfo& info, const SceneImage& view, std::optional<double> unit) {
     const OperatorView shown{std::make_shared<SceneImage>(view), nullptr};
-    return info.fit("naive", {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
+    return info.fit(info.variants.front().name, {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
   };
   const auto largest_difference = [](const DisplayImage& a, const DisplayImage& b) {
     float most = 0;
@@ -270,8 +270,14 @@ TEST(OperatorTable, TheUnitOfRelativeRadianceDoesNotMatterAndThatOfDeclaredRadia
       most = std::max(most, std::abs(luminance(a.pixels()[i]) - luminance(b.pixels()[i])));
     return most;
   };
-  for (const char* id : {"histogram", "reinhard05"}) {
+  for (const char* id : {"histogram", "reinhard05", "pq", "content-adaptive"}) {
     const OperatorInfo& info = find_operator(id);
+    for (const float scale : {1e-9f, 1e9f}) {
+      SceneImage scaled = image;
+      for (Rgb& c : scaled.pixels()) c = scale * c;
+      EXPECT_LT(largest_difference(map(info, image, std::nullopt), map(info, scaled, std::nullopt)), 0.002f)
+          << id << " × " << scale;
+    }
     EXPECT_LT(largest_difference(map(info, image, std::nullopt), map(info, brighter, std::nullopt)), 0.002f)
         << id;
     EXPECT_GT(largest_difference(map(info, image, 1.0), map(info, brighter, 1.0)), 0.05f) << id;
