@@ -24,17 +24,17 @@ struct BrisqueTrainingOptions {
 /// One picture: a view of a scene at some exposure, distorted.
 struct TrainingPicture {
   std::string scene;
-  std::string distortion;  ///< none, noise, blur, jpeg or levels
+  std::string distortion;  ///< none, noise, blur, jpeg, levels or blank
   int strength = 0;        ///< 0 for none, 1 … 5
   BrisqueFeatures features{};
   double target = 0;  ///< 100·(1 − SSIM with the undistorted picture)
 };
 
-/// Two views of every scene, near-eye ones included, at three exposures, each undistorted and by four
-/// distortions of five strengths: Gaussian noise (standard deviation 0.01 … 0.16 of full scale), Gaussian
-/// blur (σ 0.6 … 4.8 px), JPEG (quality 60 … 5) and few levels (32 … 4 per channel). Loss of contrast all
-/// over is not among them: locally normalised luma hardly changes with it (tried: no correlation on scenes
-/// left out).
+/// Two views of every scene, near-eye ones included, at three exposures, each undistorted, by four
+/// distortions of five strengths (Gaussian noise, standard deviation 0.01 … 0.16 of full scale; Gaussian
+/// blur, σ 0.6 … 9.6 px; JPEG, quality 60 … 5; few levels, 32 … 4 per channel) and blank, of the mean grey.
+/// Loss of contrast all over, cut highlights and cut shadows are not among them: locally normalised luma
+/// hardly changes with them (tried: no correlation on scenes left out, and others were judged worse).
 std::vector<TrainingPicture> brisque_training_pictures(const BrisqueTrainingOptions& options,
                                                        const Progress& progress = {});
 

@@ -15,6 +15,7 @@
 #include "experiments/cli/result_folder.h"
 #include "experiments/cli/suggest.h"
 #include "experiments/cli/viewing_options.h"
+#include "experiments/metric_list.h"
 #include "experiments/metric_maps.h"
 #include "experiments/score.h"
 #include "experiments/tonemap_fit.h"
@@ -29,7 +30,7 @@ struct MetricOptions {
   std::string names = "all";
   double exposure = 0, cd_m2_per_unit = 0;
   ViewingConditions viewing;
-  bool force = false;
+  bool force = false, list = false, ignore_undefined = false;
 };
 
 /// What is compared, as read from files; no reference if none is given.
@@ -166,7 +167,33 @@ void require_named_are_taken(const std::vector<const Metric*>& chosen, const Met
           taken.empty() ? "none does" : fmt::format("those that do are {}", fmt::join(taken, ", "))));
 }
 
+void run_list(const Invocation& invocation, const MetricOptions& options) {
+  Provenance provenance = begin_run(invocation, options.common);
+  if (!output_is_for_programs(options.common)) fmt::print("{}", metric_list_text());
+  write_results(metric_list_rows(), provenance, options.common);
+}
+
+/// Pixels that are finite in both images; nothing if that is all of them.
+std::optional<Mask> defined_pixels(const MetricInput& input) {
+  const auto mask_of = [](const AnyImage& any) {
+    return std::visit([](const auto& image) { return mask_of_finite(image); }, any);
+  };
+  Mask mask = mask_of(input.test);
+  if (input.reference) {
+    const Mask other = mask_of(*input.reference);
+    for (std::size_t i = 0; i < mask.size() && i < other.size(); ++i)
+      mask.pixels()[i] = static_cast<unsigned char>(mask.pixels()[i] & other.pixels()[i]);
+  }
+  const auto pixels = mask.pixels();
+  if (std::all_of(pixels.begin(), pixels.end(), [](unsigned char v) { return v != 0; })) return {};
+  return mask;
+}
+
 void run_metric(const Invocation& invocation, const MetricOptions& options) {
+  if (options.list) return run_list(invocation, options);
+  if (options.test.empty())
+    throw UsageError(
+        "give --test, the image to measure, or --list to see the metrics (see 'plenolab metric --help')");
   std::vector<const Metric*> chosen = metrics_named(options.names);
   if (options.reference.empty()) {
     const bool judging =
@@ -180,7 +207,13 @@ void run_metric(const Invocation& invocation, const MetricOptions& options) {
   require_named_are_taken(chosen, input, options);
   ResultTable table;
   chosen = with_known_scale(std::move(chosen), input, options, table);
-  const ComparisonConditions conditions = conditions_for(input, options, provenance);
+  ComparisonConditions conditions = conditions_for(input, options, provenance);
+  const std::optional<Mask> defined = options.ignore_undefined ? defined_pixels(input) : std::nullopt;
+  if (defined) {
+    conditions.valid = &*defined;
+    const auto ignored = std::count(defined->pixels().begin(), defined->pixels().end(), 0);
+    table.add({"ignored_pixels", static_cast<double>(ignored), "px", {{"test", options.test}}});
+  }
   const auto measurements = measure_input(input, options, chosen, conditions, provenance);
   if (measurements.empty())
     throw InputError(fmt::format("none of the metrics '{}' takes this kind of image", options.names));
@@ -204,8 +237,9 @@ void add_metric_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("--ref", options->reference,
                  "Reference image (.exr .hdr .pfm .png); metrics that judge one image alone need none");
   app.add_option("--test", options->test,
-                 "Test image of the same size; a .png beside an .exr is its tone mapped version")
-      ->required();
+                 "Test image of the same size; a .png beside an .exr is its tone mapped version");
+  app.add_flag("--list", options->list,
+               "List metrics, what they take, their quantities and which way is better");
   app.add_option("--metric", options->names, "Metrics or families, comma-separated: " + metric_names())
       ->capture_default_str();
   app.add_option("--exposure", options->exposure,
@@ -213,12 +247,15 @@ void add_metric_command(CLI::App& app, const Invocation& invocation) {
       ->check(positive_number());
   add_luminance_scale_option(app, options->cd_m2_per_unit, "1 for PQ");
   add_viewing_options(app, options->viewing);
+  app.add_flag("--ignore-undefined", options->ignore_undefined,
+               "Leave out pixels that are NaN or infinite in either image");
   app.add_option("--maps", options->maps, "Folder for pictures of where the images differ");
   add_force_option(app, options->force);
   add_common_options(app, options->common);
   app.footer(
       "Examples: plenolab metric --ref truth.exr --test novel.exr --metric psnr,ssim\n"
-      "          plenolab metric --ref scene.exr --test mapped.png --metric drim,tmqi --maps maps");
+      "          plenolab metric --ref scene.exr --test mapped.png --metric drim,tmqi --maps maps\n"
+      "          plenolab metric --list");
   app.callback([options, &invocation] { run_metric(invocation, *options); });
 }
 

@@ -187,8 +187,8 @@ ResultTable run_optimise_sweep(const SweepOptions& options, const fs::path& fold
   const SweepImage image = image_of(options);
   const double cd_m2_per_unit = scale_of(options);
   ProgressBar bar("sweep");
-  const ResultTable table = sweep_optimise(image, cd_m2_per_unit, kObjective,
-                                           all_optimise_settings(), run_of(options, bar));
+  const ResultTable table =
+      sweep_optimise(image, cd_m2_per_unit, kObjective, all_optimise_settings(), run_of(options, bar));
   write_sweep_plot(table, optimise_sweep_plot(describe_objective(kObjective)), image.name, folder);
   return table;
 }
@@ -376,7 +376,8 @@ void add_sweep_command(CLI::App& app, const Invocation& invocation) {
   app.add_option("-o,--out", options->out,
                  "Folder for plots (.svg .pdf .gp .csv) and rows.csv (default: results/sweep-METHOD-SOURCE)")
       ->check(not_empty());
-  app.add_option("--runs", options->runs, "Timed runs of every setting and position; of optimise also searches with different seeds")
+  app.add_option("--runs", options->runs,
+                 "Timed runs of every setting and position; of optimise also searches with different seeds")
       ->check(whole_number(1, 1000))
       ->capture_default_str();
   app.add_option("--cache", options->cache, "Folder of rendered views (default ~/.cache/plenolab)");

@@ -83,6 +83,9 @@ void run_train(const Invocation& invocation, TrainOptions options) {
   training.cache = render_cache_folder(options.cache);
   training.seed = options.common.seed;
   training.threads = options.common.threads;
+  provenance.parameters["paths_per_pixel"] = training.paths_per_pixel;
+  provenance.parameters["width"] = training.width;
+  provenance.parameters["ridge"] = training.ridge;
   ProgressBar bar("train");
   const std::vector<TrainingPicture> pictures = brisque_training_pictures(training, bar.callback());
   bar.clear();

@@ -52,6 +52,12 @@ void check_planes(const Plane<Rgb>& test, const Plane<Rgb>& reference,
 
 }  // namespace
 
+Mask mask_of_finite(const Plane<Rgb>& image) {
+  Mask mask(image.width(), image.height());
+  for (std::size_t i = 0; i < image.size(); ++i) mask.pixels()[i] = is_finite(image.pixels()[i]) ? 1 : 0;
+  return mask;
+}
+
 void ComparisonConditions::validate() const {
   if (!(exposure > 0) || !std::isfinite(exposure)) {
     throw InputError(fmt::format("exposure is {} but must be a positive number", exposure));

@@ -47,6 +47,9 @@ void check_comparable(const DisplayImage& test, const SceneImage& reference,
                       const ComparisonConditions& conditions);
 
 /// Whether the pixel at `index` (row by row) takes part in the comparison.
+/// 1 where all channels are finite, else 0: for images that hold NaN or infinity.
+Mask mask_of_finite(const Plane<Rgb>& image);
+
 inline bool is_valid(const Mask* mask, std::size_t index) {
   return mask == nullptr || mask->pixels()[index] != 0;
 }

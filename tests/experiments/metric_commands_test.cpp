@@ -122,6 +122,32 @@ TEST_F(MetricCommand, LeavesOutNoMetricThatWasNamed) {
           "--display-black 400 must be below");
 }
 
+TEST_F(MetricCommand, ListsWhatThereIsAndWhichWayIsBetter) {
+  const auto rows = rows_of({"--list"});
+  EXPECT_TRUE(has(rows, "drim_mean_total"));
+  for (const auto& row : rows) {
+    if (row.at("quantity") == "tmqi") EXPECT_EQ(row.at("better"), "higher is better");
+    if (row.at("quantity") == "brisque_plenolab") EXPECT_EQ(row.at("takes"), "a picture alone");
+  }
+  EXPECT_NE(run_program({"metric", "--list"}).out.find("lower is better"), std::string::npos);
+  expect_one_clear_sentence(run_program({"metric"}), "give --test", 2);
+}
+
+TEST_F(MetricCommand, LeavesUndefinedPixelsOutOnlyIfAsked) {
+  SceneImage damaged = read_scene_image(scene_);
+  damaged.at(5, 7).g = std::nanf("");
+  damaged.at(60, 3).r = HUGE_VALF;
+  const std::string path = (folder_.path() / "damaged.exr").string();
+  write_scene_image(path, damaged, 100);
+  expect_one_clear_sentence(run_program({"metric", "--ref", path, "--test", picture_, "--metric", "drim"}),
+                            "NaN or infinity");
+  const auto rows = rows_of({"--ref", path, "--test", picture_, "--metric", "drim", "--ignore-undefined"});
+  EXPECT_EQ(value_of(rows, "ignored_pixels"), 2);
+  EXPECT_TRUE(has(rows, "drim_share_any"));
+  EXPECT_FALSE(has(rows_of({"--ref", scene_, "--test", picture_, "--metric", "drim", "--ignore-undefined"}),
+                   "ignored_pixels"));
+}
+
 TEST_F(MetricCommand, TellsWhichWayRoundImagesGo) {
   expect_one_clear_sentence(run_program({"metric", "--ref", picture_, "--test", scene_}),
                             "tone mapped image as the test");
