@@ -7,23 +7,16 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 
 namespace plenolab {
 
 namespace {
-
-constexpr int kRowGrain = 16;
 
 template <class A, class B>
 void require_equal_sizes(const A& a, const B& b) {
   if (a.width() != b.width() || a.height() != b.height())
     throw InputError(fmt::format("a picture of {} × {} pixels and a map of {} × {} do not belong together",
                                  a.width(), a.height(), b.width(), b.height()));
-}
-
-Rgb cut(Rgb c) {
-  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
 }
 
 }  // namespace
@@ -47,19 +40,14 @@ Plane<int> volume_of_objects(const Plane<int>& volume, const Plane<int>& object,
   return owner;
 }
 
-DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume, std::span<const Lut> tables,
-                         const Lut& background, int threads) {
+DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume,
+                         std::span<const PreparedLut> tables, const PreparedLut& background, int threads) {
   require_equal_sizes(image, volume);
-  DisplayImage graded(image.width(), image.height());
-  parallel_for(image.height(), kRowGrain, threads, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < image.width(); ++x) {
-        const int v = volume.at(x, y);
-        const Lut& lut = v < 0 ? background : tables[static_cast<std::size_t>(v)];
-        graded.at(x, y) = cut(sample_lut(lut, image.at(x, y), LutInterpolation::kTetrahedral));
-      }
-  });
-  return graded;
+  std::vector<const PreparedLut*> all{&background};
+  for (const PreparedLut& table : tables) all.push_back(&table);
+  Plane<int> of_pixel(volume.width(), volume.height());
+  std::ranges::transform(volume.pixels(), of_pixel.pixels().begin(), [](int v) { return v < 0 ? 0 : v + 1; });
+  return grade_by_map(image, of_pixel, all, {.threads = threads}).image;
 }
 
 }  // namespace plenolab

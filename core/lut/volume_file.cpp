@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -50,8 +51,11 @@ VolumeScene parse_volumes(std::string_view json, const std::string& name) {
     reader.wrong("version", "must be 1, the only version that this program reads");
   VolumeScene scene;
   if (reader.has("background")) scene.background = reader.text("background", kLongestPath);
+  std::set<std::string> names;
   for (const JsonReader& entry : reader.objects("volumes", kMostVolumes)) {
     scene.volumes.push_back(parse_volume(entry));
+    if (!names.insert(scene.volumes.back().name).second)
+      throw InputError(fmt::format("{}: two volumes are named '{}'", name, scene.volumes.back().name));
     scene.tables.push_back(entry.text("lut", kLongestPath));
     try {
       scene.volumes.back().validate();

@@ -58,6 +58,11 @@ TEST(VolumeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_TRUE(parse_volumes(volumes_json(""), "v.json").volumes.empty());
 }
 
+TEST(VolumeFile, RefusesTwoVolumesOfOneName) {
+  const std::string one = R"({"name": "hall", "min": [0, 0, 0], "max": [1, 1, 1], "lut": "a.cube"})";
+  EXPECT_EQ(refused(one + ", " + one), "v.json: two volumes are named 'hall'");
+}
+
 TEST(VolumeFile, WhatIsWrittenReadsBack) {
   const VolumeScene scene{
       {{"hall \"A\"", {-2, 0, -2.5}, {2, 8, 2}, 1, 0.5}, {"point", {1, 1, 1}, {1, 1, 1}, 0, 1}},
