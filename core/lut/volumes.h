@@ -46,7 +46,7 @@ struct VolumeWeights {
 
 /// Linear: weight·max(0, 1 − d/r) by the distance d of the camera to each box; inside a box the innermost
 /// has its weight alone. Weights of more than 1 together are divided by their sum; the background takes the
-/// rest.
+/// rest. Throws InputError for volumes out of range or a position that is not finite.
 VolumeWeights linear_weights(std::span<const Volume> volumes, const Point3& camera_m);
 
 /// A pinhole camera with the principal point in the image centre and square pixels.

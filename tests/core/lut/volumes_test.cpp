@@ -197,6 +197,7 @@ TEST(Volumes, RefusesBoxesCamerasAndStridesThatAreNone) {
   throws(box, {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 60}, 1);
   throws(box, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 180}, 1);
   throws(box, {}, 0);
+  EXPECT_THROW(linear_weights(std::vector<Volume>{box}, {NAN, 0, 0}), InputError);
 }
 
 TEST(Volumes, TheTableOfAFrameIsTheBlendOfItsVolumes) {
