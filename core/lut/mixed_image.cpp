@@ -30,13 +30,15 @@ Plane<int> volume_of_objects(const Plane<int>& volume, const Plane<int>& object,
   for (std::size_t i = 0; i < object.size(); ++i)
     if (const int o = object.pixels()[i]; o >= 0)
       ++counts[columns * static_cast<std::size_t>(o) + static_cast<std::size_t>(volume.pixels()[i] + 1)];
+  std::vector<int> owner_of(static_cast<std::size_t>(std::max(0, objects)));
+  for (std::size_t o = 0; o < owner_of.size(); ++o) {
+    const auto first = counts.begin() + static_cast<std::ptrdiff_t>(columns * o);
+    owner_of[o] =
+        static_cast<int>(std::max_element(first, first + static_cast<std::ptrdiff_t>(columns)) - first) - 1;
+  }
   Plane<int> owner = volume;
   for (std::size_t i = 0; i < object.size(); ++i)
-    if (const int o = object.pixels()[i]; o >= 0) {
-      const auto first = counts.begin() + static_cast<std::ptrdiff_t>(columns) * o;
-      owner.pixels()[i] =
-          static_cast<int>(std::max_element(first, first + static_cast<std::ptrdiff_t>(columns)) - first) - 1;
-    }
+    if (const int o = object.pixels()[i]; o >= 0) owner.pixels()[i] = owner_of[static_cast<std::size_t>(o)];
   return owner;
 }
 

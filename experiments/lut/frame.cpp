@@ -45,7 +45,7 @@ void check_together(const FrameOptions& options) {
     throw UsageError("--method pixel counts what the camera sees: give --depth");
   if (options.image.empty() != options.graded.empty())
     throw UsageError("--image and --graded go together: the frame and where its graded version goes");
-  if (!options.graded.empty() && item_path(options.graded) == item_path(options.out))
+  if (!options.graded.empty() && !options.out.empty() && item_path(options.graded) == item_path(options.out))
     throw UsageError(fmt::format("--graded and -o are both {}: one would replace the other", options.out));
 }
 

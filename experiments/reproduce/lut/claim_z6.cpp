@@ -22,7 +22,7 @@ namespace {
 constexpr double kPrintedRatio = 100, kLeast = kPrintedRatio / 2, kMost = kPrintedRatio * 2;
 constexpr int kRounds = 7;
 /// In every preset, because ratios change with the size of the picture (what fits the caches).
-constexpr int kWidth = 640, kHeight = 360;
+constexpr int kWidth = 480, kHeight = 270;
 
 /// What a look-up table stands for, evaluated for a whole picture on one thread.
 struct Chain {
@@ -104,7 +104,7 @@ Verdict judge(const Ratios& measured, const Interval& ratio) {
 
 std::string where_it_lies(const Interval& ratio) {
   if (ratio.estimate < kLeast) return "below the band";
-  return ratio.estimate > kMost ? "above it" : "in it";
+  return ratio.estimate > kMost ? "above the band" : "in the band";
 }
 
 }  // namespace

@@ -41,7 +41,8 @@ Plane<float> point_sampled(const Plane<float>& depth, int divisor) {
 
 VolumeWeights weights_of(WalkBench& bench, const WalkFrame& frame) {
   const std::vector<Volume>& volumes = bench.stage().volumes();
-  return pixel_weights(count_pixels(frame.depth_m, frame.pose.camera, volumes), volumes);
+  const CountOptions options{1, bench.options().threads};
+  return pixel_weights(count_pixels(frame.depth_m, frame.pose.camera, volumes, options), volumes);
 }
 
 void make_mixed(WalkBench& bench, const WalkFrame& frame, int threads) {

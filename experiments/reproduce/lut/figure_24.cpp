@@ -56,7 +56,9 @@ Plot map_of(WalkBench& bench) {
   plot.x = {.title = "x", .unit = "m", .minimum = -8, .maximum = 20};
   plot.y = {.title = "y", .unit = "m", .minimum = -2, .maximum = 24};
   plot.key = KeyPosition::kOutside;
-  plot.height_px = 480;
+  plot.width_px = 930;
+  plot.height_px = 600;
+  add_path(plot, bench);
   for (const Volume& v : bench.stage().volumes())
     plot.series.push_back({v.name,
                            PlotSeries::Style::kLines,
@@ -65,7 +67,6 @@ Plot map_of(WalkBench& bench) {
                             {v.max[0], v.max[1]},
                             {v.min[0], v.max[1]},
                             {v.min[0], v.min[1]}}});
-  add_path(plot, bench);
   return plot;
 }
 
@@ -141,8 +142,8 @@ ImageComparison walk_comparison(WalkBench& bench) {
           "Small pictures of the walk, as rendered and graded in four ways.",
           {{"Linear", blended(BlendMethod::kLinear)},
            {"Pixel-based", blended(BlendMethod::kPixel)},
-           {"Reference: volume ahead", reference(GradeReference::kAhead)},
-           {"Reference: mixed by object", reference(GradeReference::kByObject)},
+           {"Reference by volume ahead", reference(GradeReference::kAhead)},
+           {"Reference mixed by object", reference(GradeReference::kByObject)},
            {"Not graded", sheet([&](std::size_t i) { return bench.frames()[i].picture; })}}};
 }
 

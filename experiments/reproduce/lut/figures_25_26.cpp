@@ -44,7 +44,7 @@ void add_turn(ReproductionResult& result, WalkBench& bench, const std::vector<st
        fmt::format("The {} frames of a turn on the spot, graded in three ways.", number_word(frames.size())),
        {{"Linear", graded(BlendMethod::kLinear)},
         {"Pixel-based", graded(BlendMethod::kPixel)},
-        {"Reference: volume ahead",
+        {"Reference by volume ahead",
          sheet([&bench](std::size_t i) { return bench.reference(i, GradeReference::kAhead); })}}});
   const std::size_t last = frames.back();
   result.add_comparison(
@@ -54,7 +54,7 @@ void add_turn(ReproductionResult& result, WalkBench& bench, const std::vector<st
        "The last frame of the turn by both blends, and graded by the table of the volume ahead.",
        {{"Final linear", bench.graded(last, BlendMethod::kLinear)},
         {"Final pixel-based", bench.graded(last, BlendMethod::kPixel)},
-        {"Final reference: volume ahead", bench.reference(last, GradeReference::kAhead)}}});
+        {"Final reference by volume ahead", bench.reference(last, GradeReference::kAhead)}}});
 }
 
 /// In how many of the frames linear blending is the closer of the two.
@@ -137,8 +137,8 @@ void add_mixed(ReproductionResult& result, WalkBench& bench, std::size_t frame, 
       "The frame mixed, blended, and graded by each table, with its depth and volumes.",
       {{"Linear", bench.graded(frame, BlendMethod::kLinear)},
        {"Pixel-based", bench.graded(frame, BlendMethod::kPixel)},
-       {"Reference: mixed by object", bench.reference(frame, GradeReference::kByObject)},
-       {"Reference: mixed by pixel", bench.reference(frame, GradeReference::kByPixel)},
+       {"Reference mixed by object", bench.reference(frame, GradeReference::kByObject)},
+       {"Reference mixed by pixel", bench.reference(frame, GradeReference::kByPixel)},
        {"Depth", depth_picture(f.depth_m)},
        {"Volume by pixel", map_of(owners.by_pixel)},
        {"Volume by object", map_of(owners.by_object)}}};
