@@ -226,6 +226,11 @@ CubeContent parse_cube_content(std::string_view text, const std::string& name) {
   return CubeParser(text, name).parse();
 }
 
+Rgb sample_content(const CubeContent& content, Rgb colour, LutInterpolation interpolation) {
+  const Rgb shaped = content.curves ? (*content.curves)(colour) : colour;
+  return content.lattice ? sample_lut(*content.lattice, shaped, interpolation) : shaped;
+}
+
 Lut lut_of_content(const CubeContent& content, int size) {
   Lut lut = content.curves
                 ? lut_of_curves(*content.curves, content.lattice ? &*content.lattice : nullptr, size)

@@ -29,6 +29,9 @@ struct CubeContent {
 /// nodes that the text can hold.
 CubeContent parse_cube_content(std::string_view text, const std::string& name);
 
+/// Output of one colour by all that the file holds: curves exactly, then the lattice. Pure.
+Rgb sample_content(const CubeContent& content, Rgb colour, LutInterpolation interpolation);
+
 /// The same as one lattice, that of lut_of_curves where there are curves; `size` as there.
 Lut lut_of_content(const CubeContent& content, int size = 0);
 

@@ -127,12 +127,12 @@ Lut identity_lut(int size, Rgb domain_min, Rgb domain_max) {
       size, [](Rgb c) { return c; }, domain_min, domain_max);
 }
 
-std::int64_t cut_nodes_to_unit(Lut& lut) {
+std::int64_t cut_all_to_unit(std::span<Rgb> colours) {
   std::int64_t changed = 0;
-  for (Rgb& node : lut.nodes) {
-    const Rgb kept = cut_to_unit(node);
-    changed += (kept.r != node.r ? 1 : 0) + (kept.g != node.g ? 1 : 0) + (kept.b != node.b ? 1 : 0);
-    node = kept;
+  for (Rgb& colour : colours) {
+    const Rgb kept = cut_to_unit(colour);
+    changed += (kept.r != colour.r ? 1 : 0) + (kept.g != colour.g ? 1 : 0) + (kept.b != colour.b ? 1 : 0);
+    colour = kept;
   }
   return changed;
 }

@@ -55,8 +55,8 @@ constexpr Rgb cut_to_unit(Rgb c) {
   return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
 }
 
-/// Cuts the outputs of a table to [0, 1] and returns how many channel values were outside.
-std::int64_t cut_nodes_to_unit(Lut& lut);
+/// Cuts colours to [0, 1] and returns how many channel values were outside.
+std::int64_t cut_all_to_unit(std::span<Rgb> colours);
 
 /// How colours between nodes are found.
 enum class LutInterpolation {

@@ -92,7 +92,10 @@ LoadedVolumes read_volumes(const std::filesystem::path& path) {
     return read_lut(loaded.files.back());
   };
   for (const std::string& table : scene.tables) loaded.tables.push_back(read(table));
-  loaded.background = scene.background.empty() ? identity_lut(kDefaultLutSize) : read(scene.background);
+  const Rgb low = loaded.tables.empty() ? Rgb{0, 0, 0} : loaded.tables.front().domain_min,
+            high = loaded.tables.empty() ? Rgb{1, 1, 1} : loaded.tables.front().domain_max;
+  loaded.background =
+      scene.background.empty() ? identity_lut(kDefaultLutSize, low, high) : read(scene.background);
   return loaded;
 }
 

@@ -17,8 +17,8 @@ namespace plenolab {
 ///                "blend_radius_m": 1, "weight": 1, "lut": "hall.cube"}]
 /// }
 /// World coordinates in metres; no two volumes have one name; tables are .cube files or .png strips, relative
-/// to the file's folder. Without "background" it is the identity; blend_radius_m and weight may be left out
-/// (0 and 1).
+/// to the file's folder. Without "background" it is the identity (over the first table's domain);
+/// blend_radius_m and weight may be left out (0 and 1).
 struct VolumeScene {
   std::vector<Volume> volumes;
   std::vector<std::string> tables;  ///< one for each volume, as written

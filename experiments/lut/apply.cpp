@@ -2,7 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <variant>
 
+#include "core/io/bytes.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/result_folder.h"
 #include "experiments/lut/lut.h"
@@ -18,18 +20,32 @@ struct ApplyOptions {
   std::string table, image, out;
 };
 
+/// Curves are applied as they are, without a lattice that cuts their corners.
+using GradingTable = std::variant<PreparedLut, CubeContent>;
+
+GradingTable read_grading_table(const std::string& path, Provenance& provenance) {
+  if (path == "identity" || lower_extension(path) != ".cube")
+    return PreparedLut(read_lut_input(path, provenance));
+  CubeContent content = read_cube_content(path);
+  add_input(provenance, path);
+  if (content.curves) return content;
+  return PreparedLut(*content.lattice);
+}
+
 void run_apply(const Invocation& invocation, const ApplyOptions& options) {
   Provenance provenance = begin_run(invocation, options.common);
-  const PreparedLut lut(read_lut_input(options.table, provenance));
+  const GradingTable table = read_grading_table(options.table, provenance);
   const PictureFile picture = read_picture(options.image, provenance);
   require_keeps_inputs(provenance, options.out);
-  const GradedPicture graded = grade_picture(picture, lut, options.grading, options.common.threads);
+  const GradedPicture graded = std::visit(
+      [&](const auto& by) { return grade_picture(picture, by, options.grading, options.common.threads); },
+      table);
   write_display_image(options.out, graded.graded.image, graded.depth);
   write_run_json_beside(options.out, provenance);
   tell(options.common, fmt::format("wrote {}", options.out));
-  ResultTable table;
-  add_grading_rows(table, picture, graded, {{"image", options.image}, {"lut", options.table}});
-  emit_results(table, provenance, options.common);
+  ResultTable rows;
+  add_grading_rows(rows, picture, graded, {{"image", options.image}, {"lut", options.table}});
+  emit_results(rows, provenance, options.common);
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ void run_convert(const Invocation& invocation, const ConvertOptions& options) {
                        {domain.high, domain.high, domain.high}, interpolation_of(options.interpolation));
   if (options.clamp)
     table.add({"values_cut",
-               static_cast<double>(cut_nodes_to_unit(lut)),
+               static_cast<double>(cut_all_to_unit(lut.nodes)),
                "channel values",
                {{"lut", options.out}}});
   if (!options.title.empty()) lut.title = options.title;

@@ -82,16 +82,13 @@ void add_curve_rows(ResultTable& table, const Lut& lut, const std::string& path)
   const CubeContent content = read_cube_content(path);
   if (!content.curves) return;
   const LutCurves& curves = *content.curves;
-  const auto exact = [&](Rgb c) {
-    return content.lattice ? sample_lut(*content.lattice, curves(c), LutInterpolation::kTetrahedral)
-                           : curves(c);
-  };
   const Rgb range = curves.domain_max - curves.domain_min;
   const std::size_t steps = 2 * (curves.nodes.size() - 1);
   float largest = 0;
   for (std::size_t i = 0; i <= steps; ++i) {
     const Rgb c = curves.domain_min + range * (static_cast<float>(i) / static_cast<float>(steps));
-    const Rgb error = sample_lut(lut, c, LutInterpolation::kTetrahedral) - exact(c);
+    const Rgb error = sample_lut(lut, c, LutInterpolation::kTetrahedral) -
+                      sample_content(content, c, LutInterpolation::kTetrahedral);
     largest = std::max({largest, std::abs(error.r), std::abs(error.g), std::abs(error.b)});
   }
   const decltype(ResultRow::columns) columns{{"lut", path}};

@@ -9,6 +9,7 @@
 #include "core/io/bytes.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
+#include "experiments/grade_chain.h"
 #include "experiments/lut/lut.h"
 
 namespace plenolab {
@@ -18,6 +19,11 @@ namespace {
 /// What the first chunk of a .png says, which the reader has checked to be there.
 constexpr std::size_t kBitDepth = 24, kColourType = 25, kHeaderBytes = 26;
 constexpr int kGreyAlpha = 4, kColourAlpha = 6;
+
+PngDepth depth_for(const PictureFile& picture, const GradingOptions& options) {
+  if (options.bits == "16") return PngDepth::k16Bit;
+  return options.bits == "8" ? PngDepth::k8Bit : picture.depth;
+}
 
 }  // namespace
 
@@ -44,14 +50,19 @@ PictureFile read_picture(const std::string& path, Provenance& provenance) {
 
 GradedPicture grade_picture(const PictureFile& picture, const PreparedLut& lut, const GradingOptions& options,
                             int threads) {
-  GradedPicture graded;
-  graded.depth = options.bits == "16"  ? PngDepth::k16Bit
-                 : options.bits == "8" ? PngDepth::k8Bit
-                                       : picture.depth;
   const Stopwatch watch;
-  graded.graded = lut.grade(picture.image, {interpolation_of(options.interpolation), threads});
-  graded.seconds = watch.seconds();
-  return graded;
+  GradedImage graded = lut.grade(picture.image, {interpolation_of(options.interpolation), threads});
+  return {std::move(graded), depth_for(picture, options), watch.seconds()};
+}
+
+GradedPicture grade_picture(const PictureFile& picture, const CubeContent& content,
+                            const GradingOptions& options, int threads) {
+  const LutInterpolation interpolation = interpolation_of(options.interpolation);
+  const Stopwatch watch;
+  GradedImage graded{evaluate_chain(
+      picture.image, [&](Rgb c) { return sample_content(content, c, interpolation); }, threads)};
+  graded.cut = cut_all_to_unit(graded.image.pixels());
+  return {std::move(graded), depth_for(picture, options), watch.seconds()};
 }
 
 void add_grading_rows(ResultTable& table, const PictureFile& picture, const GradedPicture& graded,

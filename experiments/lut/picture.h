@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/io/image_file.h"
+#include "core/lut/cube_file.h"
 #include "core/lut/grade.h"
 #include "experiments/cli/output.h"
 
@@ -39,6 +40,10 @@ struct GradedPicture {
 };
 GradedPicture grade_picture(const PictureFile& picture, const PreparedLut& lut, const GradingOptions& options,
                             int threads);
+
+/// By curves and what stands behind them, exactly.
+GradedPicture grade_picture(const PictureFile& picture, const CubeContent& content,
+                            const GradingOptions& options, int threads);
 
 /// Rows values_cut and seconds_grade, and a note on transparency that is lost.
 void add_grading_rows(ResultTable& table, const PictureFile& picture, const GradedPicture& graded,

@@ -86,8 +86,8 @@ std::string on_threads(const std::string& what, const WalkBench& bench) {
 std::vector<FrameStep> counting_steps(WalkBench& bench, const WalkFrame& frame) {
   std::vector<FrameStep> steps;
   const std::vector<Volume>& volumes = bench.stage().volumes();
-  const auto vectorised = [&](int divisor, int threads) {
-    return [&bench, &frame, &volumes, divisor, threads] {
+  const auto vectorised = [&frame, &volumes](int divisor, int threads) {
+    return [&frame, &volumes, divisor, threads] {
       count_pixels(frame.depth_m, frame.pose.camera, volumes, {divisor, threads});
     };
   };

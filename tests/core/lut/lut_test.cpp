@@ -229,9 +229,9 @@ TEST(Lut, OverAnotherDomainItIsTheSameTableAndBeyondItsOwnThatOfItsEnds) {
 
 TEST(Lut, CuttingNodesCountsWhatItChanges) {
   Lut lut = bake_lut(2, [](Rgb c) { return Rgb{2 * c.r, c.g - 0.5f, c.b}; });
-  EXPECT_EQ(cut_nodes_to_unit(lut), 8);
+  EXPECT_EQ(cut_all_to_unit(lut.nodes), 8);
   EXPECT_EQ(lut.node(1, 0, 1), (Rgb{1, 0, 1}));
-  EXPECT_EQ(cut_nodes_to_unit(lut), 0);
+  EXPECT_EQ(cut_all_to_unit(lut.nodes), 0);
 }
 
 }  // namespace
