@@ -64,18 +64,14 @@ const PrintedTime* printed_time(const std::string& method, int divisor) {
 WalkFrame timed_frame(WalkBench& bench, bool lit) {
   const auto path = walk_path();
   const WalkPose& pose = *(std::ranges::find(path, "through the hall", &WalkPose::leg) + 3);
+  if (!lit) return surfaces_of_timed_size(bench, pose);
   const auto [width, height] = timed_size(bench);
-  const int threads = bench.options().threads;
-  return lit ? bench.stage().frame(pose, width, height, threads)
-             : bench.stage().surfaces(pose, width, height, threads);
+  return bench.stage().frame(pose, width, height, bench.options().threads);
 }
 
-std::vector<WalkFrame> frames_of_timed_size(WalkBench& bench) {
+WalkFrame surfaces_of_timed_size(WalkBench& bench, const WalkPose& pose) {
   const auto [width, height] = timed_size(bench);
-  std::vector<WalkFrame> frames;
-  for (const WalkPose& pose : walk_path(0.34))
-    frames.push_back(bench.stage().surfaces(pose, width, height, bench.options().threads));
-  return frames;
+  return bench.stage().surfaces(pose, width, height, bench.options().threads);
 }
 
 std::string on_threads(const std::string& what, const WalkBench& bench) {

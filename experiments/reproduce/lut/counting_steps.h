@@ -30,8 +30,8 @@ inline constexpr std::array kDivisors{1, 2, 4, 8};
 /// The frame that is timed, in the printed size (a quarter of it along each axis in tiny runs): half-way
 /// through the hall, from where hall, garden house and park are in sight. `lit`: with its picture.
 WalkFrame timed_frame(WalkBench& bench, bool lit);
-/// Poses of the walk, to be seen in the size of the timed frame: all, or a few in tiny runs.
-std::vector<WalkFrame> frames_of_timed_size(WalkBench& bench);
+/// Depth of a pose in the size of the timed frame.
+WalkFrame surfaces_of_timed_size(WalkBench& bench, const WalkPose& pose);
 
 /// A way of doing one step of a frame.
 struct FrameStep {

@@ -38,20 +38,31 @@ double seconds_of(const std::vector<TimedStep>& times, const std::string& method
   return seconds;
 }
 
-/// Largest difference of a weight between counting every n-th pixel and every pixel.
-double weight_error(WalkBench& bench, const std::vector<WalkFrame>& frames, int divisor) {
+/// Largest differences of a weight between counting every n-th pixel and every pixel, over some frames of the
+/// walk, for the divisors above 1.
+struct WeightErrors {
+  std::array<double, kDivisors.size() - 1> largest{};
+  std::size_t frames = 0;
+};
+
+WeightErrors weight_errors(WalkBench& bench) {
   const std::vector<Volume>& volumes = bench.stage().volumes();
-  double error = 0;
-  for (const WalkFrame& f : frames) {
+  WeightErrors errors;
+  for (const WalkPose& pose : walk_path(0.34)) {
+    const WalkFrame f = surfaces_of_timed_size(bench, pose);
     const auto counted = [&](int stride) {
-      return pixel_weights(count_pixels(f.depth_m, f.pose.camera, volumes, {stride, bench.options().threads}),
-                           volumes);
+      const CountOptions options{stride, bench.options().threads};
+      return pixel_weights(count_pixels(f.depth_m, f.pose.camera, volumes, options), volumes);
     };
-    const VolumeWeights all = counted(1), some = counted(divisor);
-    for (std::size_t v = 0; v < volumes.size(); ++v)
-      error = std::max(error, std::abs(all.volumes[v] - some.volumes[v]));
+    const VolumeWeights all = counted(1);
+    for (std::size_t i = 0; i < errors.largest.size(); ++i) {
+      const VolumeWeights some = counted(kDivisors.at(i + 1));
+      for (std::size_t v = 0; v < volumes.size(); ++v)
+        errors.largest.at(i) = std::max(errors.largest.at(i), std::abs(all.volumes[v] - some.volumes[v]));
+    }
+    ++errors.frames;
   }
-  return error;
+  return errors;
 }
 
 std::string size_text(const WalkFrame& frame) {
@@ -124,20 +135,18 @@ Plot time_plot(const WalkFrame& frame, const std::vector<TimedStep>& times) {
 /// What down-scaling costs in weights and saves in time, in words; adds the rows of the weights.
 std::string down_scaling_text(ReproductionResult& result, WalkBench& bench, const WalkFrame& frame,
                               double saved_s, double after_s) {
-  const std::vector<WalkFrame> frames = frames_of_timed_size(bench);
-  std::array<double, 3> errors{};
-  for (std::size_t i = 0; i < errors.size(); ++i) {
-    errors.at(i) = weight_error(bench, frames, kDivisors.at(i + 1));
+  const WeightErrors errors = weight_errors(bench);
+  for (std::size_t i = 0; i < errors.largest.size(); ++i)
     result.rows.add(
         {"largest_weight_error",
-         errors.at(i),
+         errors.largest.at(i),
          "1",
          {{"divisor", static_cast<long long>(kDivisors.at(i + 1))}, {"frame_size", size_text(frame)}}});
-  }
   return fmt::format(
       "Down-scaling from {} by ½, ¼ and ⅛ changes a weight by up to {:.2g}, {:.2g} and {:.2g} over {} frames "
       "of our walk, and saves {} than the blending and grading cost that follow anyway.",
-      size_text(frame), errors[0], errors[1], errors[2], frames.size(), saved_s < after_s ? "less" : "more");
+      size_text(frame), errors.largest[0], errors.largest[1], errors.largest[2], errors.frames,
+      saved_s < after_s ? "less" : "more");
 }
 
 }  // namespace
