@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "experiments/reproduce/lut/lut_tools.h"
@@ -123,6 +124,11 @@ void add_weight_rows(ReproductionResult& result, WalkBench& bench) {
     }
 }
 
+std::string step_word(std::size_t step) {
+  constexpr std::array kWords{"", "frame", "second frame", "third frame"};
+  return step < kWords.size() ? kWords.at(step) : fmt::format("{}th frame", step);
+}
+
 ImageComparison walk_comparison(WalkBench& bench) {
   constexpr std::size_t kMost = 20;
   const std::size_t count = bench.frames().size(), step = (count + kMost - 1) / kMost;
@@ -138,7 +144,7 @@ ImageComparison walk_comparison(WalkBench& bench) {
     return sheet([&bench, of](std::size_t i) { return bench.reference(i, of); });
   };
   return {fmt::format("The walk, {} of {} frames in reading order: every {}, from frame 0", frames.size(),
-                      count, step == 1 ? std::string("frame") : fmt::format("{}th", step)),
+                      count, step_word(step)),
           "Small pictures of the walk, as rendered and graded in four ways.",
           {{"Linear", blended(BlendMethod::kLinear)},
            {"Pixel-based", blended(BlendMethod::kPixel)},
