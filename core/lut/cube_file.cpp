@@ -97,12 +97,11 @@ class CubeParser {
 
   /// What programs write for numbers that are none counts: a node that is not finite is told as such.
   static bool looks_like_number(std::string_view word) {
-    std::string lower;
-    for (const char c : word.substr(0, 4))
-      lower += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     const char first = word.front();
-    return (first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.' || lower == "nan" ||
-           lower.starts_with("inf") || lower.starts_with("nan(");
+    if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.') return true;
+    std::string lower(word);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
   template <std::size_t kCount>

@@ -137,6 +137,7 @@ TEST(CubeFile, ReadsNumbersAsTheyStandAndRefusesTheRest) {
   EXPECT_EQ(refusal("-1e400"), "a.cube, line 2: '-1e400' does not lie within ±1e+30");
   EXPECT_EQ(refused("LUT_3D_SIZE 2\n" + kNodes.substr(0, 42) + "nan 1 1\n"),
             "a.cube, line 7: 'nan' is not finite");
+  EXPECT_EQ(refused("INFO x\n"), "a.cube, line 1: 'INFO' is no keyword of a .cube file that is understood");
 }
 
 TEST(CubeFile, ReadsCurvesAsTheSpecificationPrintsThem) {
