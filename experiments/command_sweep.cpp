@@ -204,13 +204,23 @@ ResultTable run_luminance_sweep(const SweepOptions& options, const fs::path& fol
 
 constexpr const char* kWalk = "walk";
 
-/// A picture for tables: of the walk, of a .png, or of radiance as a plain exposure shows it.
+bool is_walk(const SweepOptions& options) {
+  return options.method == "lut" && options.source == kWalk;
+}
+
+/// Tables grade pictures: radiance is shown by a plain exposure with this factor, nothing for the walk and
+/// for files that hold pictures.
+std::optional<float> exposure_for_tables(const SweepOptions& options) {
+  if (options.method != "lut" || is_walk(options) || is_display_file(options.source)) return std::nullopt;
+  return exposure_from(*image_of(options).view.colour);
+}
+
 DisplayImage picture_of(const SweepOptions& options) {
-  if (options.source == kWalk) {
+  if (is_walk(options)) {
     const std::vector<WalkPose> path = walk_path();
     return WalkStage().frame(path[path.size() / 2], 960, 540, options.common.threads).picture;
   }
-  if (fs::path(options.source).extension() == ".png") return read_display_image(options.source);
+  if (is_display_file(options.source)) return read_display_image(options.source);
   const OperatorView view = image_of(options).view;
   return expose(*view.colour, exposure_from(*view.colour));
 }
@@ -220,8 +230,12 @@ ResultTable run_lut_sweep(const SweepOptions& options, const fs::path& folder) {
   const DisplayImage picture = picture_of(options);
   ProgressBar bar("sweep");
   ResultTable table = sweep_lut(name, picture, run_of(options, bar));
-  write_plot(plot_lut_sweep(table), folder / fmt::format("sweep-{}", name));
-  if (options.source != kWalk) return table;
+  const Plot plot = plot_lut_sweep(table);
+  if (plot.series.empty())
+    tell(options.common, "no plot: tables of every size grade this picture without error");
+  else
+    write_plot(plot, folder / fmt::format("sweep-{}", name));
+  if (!is_walk(options)) return table;
   ProgressBar counting_bar("counting");
   const ResultTable counting = sweep_pixel_counting(run_of(options, counting_bar));
   write_sweep_plot(counting, pixel_counting_sweep_plot(), "pixel-counting", folder);
@@ -347,6 +361,9 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   provenance.parameters["source"] = options.source;
   provenance.parameters["runs"] = options.runs;
   if (absolute) provenance.parameters["cd_m2_per_unit"] = scale_of(options);
+  if (!is_walk(options) && source_exists(options)) add_input(provenance, options.source);
+  const std::optional<float> exposure = exposure_for_tables(options);
+  if (exposure) provenance.parameters["exposure"] = static_cast<double>(*exposure);
   const SweepMethod& method = method_of(options);
   ResultTable table;
   const std::string out = output_folder(options), item = item_of(options);
@@ -357,6 +374,10 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   if (!output_is_for_programs(options.common))
     fmt::print("{}", to_wide_text(table, method.keys, method.columns));
   write_results(table, provenance, options.common);
+  if (exposure)
+    tell(options.common,
+         fmt::format("graded as pictures: radiance times {:.4g}, cut to 1, gamma 2.2 (no tone mapping)",
+                     *exposure));
   tell(options.common, fmt::format("wrote plots and rows.csv to {}", out));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/parallel.h"
 #include "core/image/colour.h"
 
 namespace plenolab {
@@ -49,6 +50,16 @@ Rgb grade_chain(Rgb encoded) {
       gamma_encode(Rgb{finished(s.r, kLift.r, kGamma.r, kGain.r), finished(s.g, kLift.g, kGamma.g, kGain.g),
                        finished(s.b, kLift.b, kGamma.b, kGain.b)});
   return {std::min(shown.r, 1.0f), std::min(shown.g, 1.0f), std::min(shown.b, 1.0f)};
+}
+
+DisplayImage evaluate_chain(const DisplayImage& picture, const std::function<Rgb(Rgb)>& chain, int threads) {
+  constexpr int kRowGrain = 4;
+  DisplayImage out(picture.width(), picture.height());
+  parallel_for(picture.height(), kRowGrain, threads, [&](int begin, int end) {
+    for (int y = begin; y < end; ++y)
+      for (int x = 0; x < picture.width(); ++x) out.at(x, y) = chain(picture.at(x, y));
+  });
+  return out;
 }
 
 }  // namespace plenolab

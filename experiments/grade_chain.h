@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "core/image/image.h"
 
 namespace plenolab {
@@ -10,6 +12,9 @@ namespace plenolab {
 /// with its printed parameters), which Zhao 2019 (section 4.1) names as costly. What a look-up table replaces
 /// where error against run time is asked for.
 Rgb grade_chain(Rgb encoded);
+
+/// A chain evaluated for every pixel of a picture; pure, as many threads call it.
+DisplayImage evaluate_chain(const DisplayImage& picture, const std::function<Rgb(Rgb)>& chain, int threads);
 
 /// The curve alone: display light of linear light ≥ 0.
 float gran_turismo_curve(float x);

@@ -1,11 +1,13 @@
 #include "experiments/sweep_lut.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 
-#include "core/base/parallel.h"
 #include "core/lut/grade.h"
 #include "experiments/colour_error.h"
 #include "experiments/grade_chain.h"
@@ -23,15 +25,6 @@ struct ColourChain {
   std::string name;
   std::function<Rgb(Rgb)> exact;
 };
-
-DisplayImage evaluated(const DisplayImage& picture, const std::function<Rgb(Rgb)>& chain, int threads) {
-  DisplayImage out(picture.width(), picture.height());
-  parallel_for(picture.height(), 4, threads, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < picture.width(); ++x) out.at(x, y) = chain(picture.at(x, y));
-  });
-  return out;
-}
 
 const char* name_of(LutInterpolation interpolation) {
   return interpolation == LutInterpolation::kTrilinear ? "trilinear" : "tetrahedral";
@@ -59,7 +52,7 @@ SweepOutcome run_exactly(const DisplayImage& picture, const ColourChain& chain, 
                          const SweepRun& run) {
   SweepOutcome outcome{.setting = {{"interpolation", std::string("none")}, {"size", 0LL}}};
   time_setting(
-      outcome, [&] { truth = evaluated(picture, chain.exact, run.threads); }, run.runs);
+      outcome, [&] { truth = evaluate_chain(picture, chain.exact, run.threads); }, run.runs);
   outcome.values = {{"mean_delta_e", 0, "1"}, {"largest_delta_e", 0, "1"}};
   return outcome;
 }
@@ -83,40 +76,49 @@ std::vector<CountedFrame> counted_frames(const WalkStage& stage, int threads) {
   return frames;
 }
 
-/// Tables of the walk's places, made from these pictures; the background's last.
-std::vector<Lut> tables_for(const std::vector<CountedFrame>& frames) {
+/// Tables of the walk's places, made from the frames that show most of each; the background's last.
+std::vector<Lut> tables_for(const WalkStage& stage, const std::vector<CountedFrame>& frames, int threads) {
+  std::vector<VolumeCounts> counts;
+  for (const CountedFrame& frame : frames)
+    counts.push_back(count_pixels(frame.depth_m, frame.camera, stage.volumes(), {1, threads}));
   std::vector<Lut> tables;
-  for (int look = 0; look < kWalkLooks; ++look)
-    tables.push_back(make_walk_look(look, frames[static_cast<std::size_t>(look)].picture).transfer.lut);
+  for (const WalkLook& look : make_walk_looks(counts, [&](std::size_t i) { return frames[i].picture; }))
+    tables.push_back(look.transfer.lut);
   return tables;
+}
+
+/// Times a frame of the work for all of them.
+void divide_times(TimingSummary& t, double count) {
+  for (double* seconds : {&t.median_s, &t.lower_quartile_s, &t.upper_quartile_s, &t.min_s, &t.max_s})
+    *seconds /= count;
+}
+
+double largest_difference(const VolumeWeights& a, const VolumeWeights& b) {
+  double largest = 0;
+  for (std::size_t v = 0; v < a.volumes.size(); ++v)
+    largest = std::max(largest, std::abs(a.volumes[v] - b.volumes[v]));
+  return largest;
 }
 
 SweepOutcome run_counting(const WalkStage& stage, std::vector<CountedFrame>& frames,
                           const std::vector<Lut>& tables, int divisor, const SweepRun& run) {
   SweepOutcome outcome{.setting = {{"divisor", static_cast<long long>(divisor)}}};
   std::vector<VolumeCounts> counts(frames.size());
-  time_setting(
-      outcome,
-      [&] {
-        for (std::size_t i = 0; i < frames.size(); ++i)
-          counts[i] =
-              count_pixels(frames[i].depth_m, frames[i].camera, stage.volumes(), {divisor, run.threads});
-      },
-      run.runs);
+  const auto count_all = [&] {
+    for (std::size_t i = 0; i < frames.size(); ++i)
+      counts[i] = count_pixels(frames[i].depth_m, frames[i].camera, stage.volumes(), {divisor, run.threads});
+  };
+  time_setting(outcome, count_all, run.runs);
   const auto count = static_cast<double>(frames.size());
-  TimingSummary& t = outcome.timing;
-  for (double* seconds : {&t.median_s, &t.lower_quartile_s, &t.upper_quartile_s, &t.min_s, &t.max_s})
-    *seconds /= count;
+  divide_times(outcome.timing, count);
   double largest = 0, weight_error = 0;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     CountedFrame& frame = frames[i];
-    const VolumeWeights weights = pixel_weights(counts[i], stage.volumes()),
-                        all = pixel_weights(count_pixels(frame.depth_m, frame.camera, stage.volumes()),
-                                            stage.volumes());
-    for (std::size_t v = 0; v < all.volumes.size(); ++v)
-      weight_error = std::max(weight_error, std::abs(weights.volumes[v] - all.volumes[v]));
-    const Lut lut = blend_volumes(weights, std::span(tables).first(tables.size() - 1), tables.back());
-    DisplayImage graded = PreparedLut(lut).grade(frame.picture).image;
+    const VolumeCounts every = count_pixels(frame.depth_m, frame.camera, stage.volumes(), {1, run.threads});
+    const VolumeWeights weights = pixel_weights(counts[i], stage.volumes());
+    weight_error = std::max(weight_error, largest_difference(weights, pixel_weights(every, stage.volumes())));
+    const PreparedLut lut(blend_volumes(weights, std::span(tables).first(tables.size() - 1), tables.back()));
+    const DisplayImage graded = lut.grade(frame.picture, {.threads = run.threads}).image;
     if (frame.graded.empty()) frame.graded = graded;
     const double error = colour_error(graded, frame.graded, run.threads).mean;
     outcome.error += error / count;
@@ -155,15 +157,28 @@ ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, cons
 }
 
 Plot plot_lut_sweep(const ResultTable& rows) {
-  Plot plot = plot_sweep(rows, {"mean_delta_e", "Mean ΔE*ab", "1", {"chain", "interpolation"}, "size"});
-  plot.width_px = 1000;
+  std::map<std::string, PlotSeries> series;
+  for (const ResultRow& row : rows.rows()) {
+    if (row.quantity != "mean_delta_e" || row.columns.size() != 4 || row.value <= 0) continue;
+    const auto text = [&](std::size_t column) { return std::get<std::string>(row.columns[column].second); };
+    const std::string title = fmt::format("{}, {}", text(1), text(2));
+    series[title].title = title;
+    series[title].points.push_back(
+        {static_cast<double>(std::get<long long>(row.columns[3].second)), row.value});
+  }
+  Plot plot;
+  plot.x = {.title = "Nodes along each axis", .logarithmic = true, .minimum = 7, .maximum = 72};
+  plot.y = {.title = "Mean ΔE*ab", .logarithmic = true};
+  plot.key = KeyPosition::kOutside;
+  plot.width_px = 860;
+  for (auto& [title, shown] : series) plot.series.push_back(std::move(shown));
   return plot;
 }
 
 ResultTable sweep_pixel_counting(const SweepRun& run) {
   const WalkStage stage;
   std::vector<CountedFrame> frames = counted_frames(stage, run.threads);
-  const std::vector<Lut> tables = tables_for(frames);
+  const std::vector<Lut> tables = tables_for(stage, frames, run.threads);
   std::vector<SweepOutcome> outcomes;
   for (const int divisor : kDivisors) {
     outcomes.push_back(run_counting(stage, frames, tables, divisor, run));

@@ -13,7 +13,8 @@ namespace plenolab {
 /// largest_delta_e, and those of add_outcome_rows; and with interpolation "none" the chain itself. The Pareto
 /// front is that of a chain.
 ResultTable sweep_lut(const std::string& name, const DisplayImage& picture, const SweepRun& run);
-/// Error over run time, wide enough for its key; settings without error are left out.
+/// Error over the size of the table, a line for each chain and interpolation; time hardly depends on the
+/// size. Settings without error are left out: no series if a picture is graded exactly, as a black one is.
 Plot plot_lut_sweep(const ResultTable& rows);
 
 /// Counting every n-th pixel of every n-th row of five frames of the walk (experiments/walk.h) of 1920 × 1080

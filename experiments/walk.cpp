@@ -76,17 +76,18 @@ CieLab along(const Mood& mood, double t) {
   return t < 0.5 ? mixed(mood.dark, mood.middle, 2 * t) : mixed(mood.middle, mood.bright, 2 * t - 1);
 }
 
-Rgb cut(Rgb c) {
-  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
-}
-
 }  // namespace
 
 std::vector<WalkPose> walk_path(double density) {
   std::vector<WalkPose> poses;
   for (const Leg& leg : kLegs) {
     const int steps = std::max(1, static_cast<int>(std::lround(leg.steps * density)));
-    for (int i = 0; i < steps; ++i) poses.push_back(pose_at(leg, static_cast<double>(i) / steps));
+    // The last pose on the spot is the first of the leg that leads away.
+    const bool stood = !poses.empty() && poses.back().turning;
+    for (int i = 0; i < steps; ++i) {
+      poses.push_back(pose_at(leg, static_cast<double>(i) / steps));
+      poses.back().turning |= stood && i == 0;
+    }
   }
   poses.push_back(pose_at(kLegs.back(), 1));
   return poses;
@@ -111,12 +112,11 @@ WalkFrame WalkStage::surfaces(const WalkPose& pose, int width, int height, int t
   return {pose, {}, {}, std::move(view.depth_m), std::move(view.material)};
 }
 
-std::size_t frame_that_shows_most(const WalkStage& stage, const std::vector<WalkFrame>& frames, int volume) {
-  const auto pixels = [&](const WalkFrame& frame) {
-    const VolumeCounts counts = count_pixels(frame.depth_m, frame.pose.camera, stage.volumes());
-    return volume < 0 ? counts.background : counts.volumes[static_cast<std::size_t>(volume)];
+std::size_t frame_that_shows_most(std::span<const VolumeCounts> counts, int volume) {
+  const auto pixels = [&](const VolumeCounts& c) {
+    return volume < 0 ? c.background : c.volumes[static_cast<std::size_t>(volume)];
   };
-  return static_cast<std::size_t>(std::ranges::max_element(frames, {}, pixels) - frames.begin());
+  return static_cast<std::size_t>(std::ranges::max_element(counts, {}, pixels) - counts.begin());
 }
 
 DisplayImage walk_palette(int index, int width, int height) {
@@ -131,7 +131,7 @@ DisplayImage walk_palette(int index, int width, int height) {
       // The sum of two uniform numbers: most colours lie near the anchors.
       colour.a += mood.spread * (random.next_double() + random.next_double() - 1);
       colour.b += mood.spread * (random.next_double() + random.next_double() - 1);
-      palette.at(x, y) = cut(display_of_lab(colour));
+      palette.at(x, y) = cut_to_unit(display_of_lab(colour));
     }
   return palette;
 }
@@ -142,6 +142,18 @@ WalkLook make_walk_look(int index, const DisplayImage& source, int size, std::ui
   look.transfer = transfer_colours(source, look.palette,
                                    {.samples = 20000, .size = size, .amount = mood.amount, .seed = seed});
   return look;
+}
+
+std::vector<WalkLook> make_walk_looks(std::span<const VolumeCounts> counts,
+                                      const std::function<DisplayImage(std::size_t)>& picture_of,
+                                      std::uint64_t seed) {
+  std::vector<WalkLook> looks;
+  for (int look = 0; look < kWalkLooks; ++look) {
+    const int volume = look < kWalkLooks - 1 ? look : -1;
+    looks.push_back(
+        make_walk_look(look, picture_of(frame_that_shows_most(counts, volume)), kDefaultLutSize, seed));
+  }
+  return looks;
 }
 
 }  // namespace plenolab

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -16,13 +18,14 @@ namespace plenolab {
 /// One place of the walk.
 struct WalkPose {
   std::string leg;       ///< what the walker does, e.g. "along the corridor"
-  bool turning = false;  ///< stands between two volumes and turns
+  bool turning = false;  ///< stands between two volumes, where the walker turns by 180°
   DepthCamera camera;
 };
 
-/// The walk, about 40 poses at `density` 1: along the corridor, a full turn between corridor and hall,
-/// through the hall, a full turn between hall and garden house, and a look out of that. Positive densities
-/// change the number of poses of each leg alike, to no fewer than one.
+/// The walk, about 40 poses at `density` 1: along the corridor; half a turn on the spot between corridor and
+/// hall, back to the door, and the other half while entering the hall; through the hall; the same between
+/// hall and garden house; and a look out of that. Positive densities change the number of poses of each leg
+/// alike, to no fewer than one.
 std::vector<WalkPose> walk_path(double density = 1);
 
 /// What the camera records.
@@ -52,8 +55,9 @@ class WalkStage {
   std::vector<Volume> volumes_;
 };
 
-/// Index of the frame in which most pixels show a volume, −1: the background. At least one frame.
-std::size_t frame_that_shows_most(const WalkStage& stage, const std::vector<WalkFrame>& frames, int volume);
+/// Index of the frame in which most pixels show a volume, −1: the background, by the counts of the frames. At
+/// least one frame.
+std::size_t frame_that_shows_most(std::span<const VolumeCounts> counts, int volume);
 
 /// A look: the table of a volume and how it was made, by transferring the colours of a painted palette to a
 /// picture of the walk.
@@ -72,5 +76,11 @@ DisplayImage walk_palette(int index, int width, int height);
 /// A look made from a picture. `index` as above.
 WalkLook make_walk_look(int index, const DisplayImage& source, int size = kDefaultLutSize,
                         std::uint64_t seed = 1);
+
+/// All looks, each made from the frame that shows most of its place: picture_of(i) is the picture of frame i
+/// of the `counts`.
+std::vector<WalkLook> make_walk_looks(std::span<const VolumeCounts> counts,
+                                      const std::function<DisplayImage(std::size_t)>& picture_of,
+                                      std::uint64_t seed = 1);
 
 }  // namespace plenolab

@@ -26,6 +26,8 @@ using Colours = std::vector<Vector>;
 constexpr std::uint64_t kRotationPurpose = 0x706974696572ull;  // keeps these random words apart from others
 constexpr std::uint64_t kDirectionPurpose = 0x736c69636564ull;
 constexpr int kDistanceDirections = 32, kDistanceQuantiles = 101;
+/// Pixels of each picture that distances are measured on.
+constexpr int kMeasured = 20000;
 
 /// Uniform over all rotations (Shoemake 1992).
 Eigen::Matrix3d random_rotation(std::uint64_t seed, std::uint64_t purpose, std::uint64_t index) {
@@ -41,12 +43,21 @@ Vector vector_of(CieLab c) {
   return {c.l, c.a, c.b};
 }
 
-Colours sampled(const DisplayImage& image, int samples) {
+/// Evenly spaced pixels, all if there are no more.
+std::vector<Rgb> sampled(const DisplayImage& image, int samples, double offset = 0) {
   const std::size_t count = std::min(image.size(), static_cast<std::size_t>(samples));
-  Colours colours;
-  colours.reserve(count);
+  const double step = static_cast<double>(image.size()) / static_cast<double>(count);
+  std::vector<Rgb> pixels;
+  pixels.reserve(count);
   for (std::size_t i = 0; i < count; ++i)
-    colours.push_back(vector_of(lab_of_display(image.pixels()[i * image.size() / count])));
+    pixels.push_back(image.pixels()[static_cast<std::size_t>((static_cast<double>(i) + offset) * step)]);
+  return pixels;
+}
+
+Colours lab_of(const std::vector<Rgb>& pixels) {
+  Colours colours;
+  colours.reserve(pixels.size());
+  for (const Rgb& pixel : pixels) colours.push_back(vector_of(lab_of_display(pixel)));
   return colours;
 }
 
@@ -132,16 +143,27 @@ double distance_between(const Colours& a, const Colours& b) {
   return sum / (kDistanceDirections * kDistanceQuantiles);
 }
 
-Rgb cut(Rgb c) {
-  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
-}
-
 Rgb replay(const std::vector<Step>& steps, double amount, Rgb input) {
   const Vector before = vector_of(lab_of_display(input));
   Vector after = before;
   for (const Step& step : steps) after = step(after);
   const Vector mixed = before + amount * (after - before);
-  return cut(display_of_lab({mixed[0], mixed[1], mixed[2]}));
+  return cut_to_unit(display_of_lab({mixed[0], mixed[1], mixed[2]}));
+}
+
+/// On pixels of their own, half-way between those that an evenly spaced fit takes.
+void measure(ColourTransfer& transfer, const DisplayImage& source, const DisplayImage& target) {
+  const std::vector<Rgb> pixels = sampled(source, kMeasured, 0.5);
+  const Colours wanted = lab_of(sampled(target, kMeasured, 0.5));
+  const auto distance_of = [&](const auto& graded) {
+    std::vector<Rgb> changed;
+    for (const Rgb& pixel : pixels) changed.push_back(graded(pixel));
+    return distance_between(lab_of(changed), wanted);
+  };
+  transfer.distance_before = distance_between(lab_of(pixels), wanted);
+  transfer.distance_unbaked = distance_of(transfer.exact);
+  transfer.distance_after =
+      distance_of([&](Rgb c) { return sample_lut(transfer.lut, c, LutInterpolation::kTetrahedral); });
 }
 
 }  // namespace
@@ -158,9 +180,8 @@ ColourTransfer transfer_colours(const DisplayImage& source, const DisplayImage& 
                                 const ColourTransferOptions& options) {
   options.validate();
   if (source.empty() || target.empty()) throw InputError("an empty picture has no colours to transfer");
-  const Colours wanted = sampled(target, options.samples);
-  Colours moved = sampled(source, options.samples);
-  const double before = distance_between(moved, wanted);
+  const Colours wanted = lab_of(sampled(target, options.samples));
+  Colours moved = lab_of(sampled(source, options.samples));
   const auto steps = std::make_shared<std::vector<Step>>();
   for (int i = 0; i < options.iterations; ++i) {
     steps->push_back(fit_step(moved, wanted, options, i));
@@ -169,13 +190,7 @@ ColourTransfer transfer_colours(const DisplayImage& source, const DisplayImage& 
   ColourTransfer transfer;
   transfer.exact = [steps, amount = options.amount](Rgb c) { return replay(*steps, amount, c); };
   transfer.lut = bake_lut(options.size, transfer.exact);
-  transfer.distance_before = before;
-  Colours graded = sampled(source, options.samples);
-  for (std::size_t i = 0; i < graded.size(); ++i) {
-    const Rgb input = source.pixels()[i * source.size() / graded.size()];
-    graded[i] = vector_of(lab_of_display(sample_lut(transfer.lut, input, LutInterpolation::kTetrahedral)));
-  }
-  transfer.distance_after = distance_between(graded, wanted);
+  measure(transfer, source, target);
   return transfer;
 }
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 #include <optional>
 
 #include "core/base/error.h"
@@ -20,6 +22,8 @@ namespace {
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{2} << 30;
 /// "0 0 0" and a line break: no line of a node is shorter.
 constexpr std::size_t kShortestNode = 6;
+/// Of one-dimensional tables (Adobe, Cube LUT Specification 1.0).
+constexpr int kLargestCurves = 65536;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r";
@@ -43,7 +47,7 @@ class CubeParser {
     if (text_.starts_with("\xEF\xBB\xBF")) text_.remove_prefix(3);
   }
 
-  Lut parse() {
+  CubeContent parse() {
     if (text_.find('\0') != std::string_view::npos) fail_file("is no text");
     while (!text_.empty()) {
       ++line_;
@@ -53,7 +57,11 @@ class CubeParser {
       if (!content.empty() && content.front() != '#') parse_line(content);
     }
     finish();
-    return std::move(lut_);
+    CubeContent content{{}, {}, title_};
+    if (curves_.wanted > 0) content.curves = LutCurves{curves_.low, curves_.high, std::move(curves_.nodes)};
+    if (lattice_.wanted > 0)
+      content.lattice = Lut{lattice_.size, lattice_.low, lattice_.high, std::move(lattice_.nodes), title_};
+    return content;
   }
 
  private:
@@ -69,21 +77,15 @@ class CubeParser {
     if (digits.starts_with('+')) digits.remove_prefix(1);
     float value = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error == std::errc::result_out_of_range) return rounded_number(digits);
-    if (digits.empty() || digits.front() == '+' || error != std::errc() ||
-        end != digits.data() + digits.size())
+    const bool two_signs = word.starts_with('+') && digits.find_first_of("+-") == 0;
+    if (digits.empty() || two_signs || end != digits.data() + digits.size())
       fail(fmt::format("'{}' is no number", shown(word)));
     if (!std::isfinite(value)) fail(fmt::format("'{}' is not finite", shown(word)));
-    return value;
-  }
-
-  /// Of a number beyond the range of float: 0 if it is too small, otherwise an error.
-  float rounded_number(std::string_view digits) const {
-    double value = 0;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
-    if (error != std::errc() || end != digits.data() + digits.size() || std::abs(value) > 1)
-      fail(fmt::format("'{}' does not fit a 32-bit number", shown(digits)));
-    return static_cast<float>(value);
+    // Of numbers beyond 32 bits the small ones are 0.
+    const double exact = error == std::errc() ? value : std::strtod(std::string(digits).c_str(), nullptr);
+    if (std::abs(exact) > kLargestLutNumber)
+      fail(fmt::format("'{}' does not lie within ±{:g}", shown(word), kLargestLutNumber));
+    return static_cast<float>(exact);
   }
 
   static std::string shown(std::string_view word) {
@@ -91,6 +93,15 @@ class CubeParser {
     for (char& c : text)
       if (static_cast<unsigned char>(c) < 0x20 || static_cast<unsigned char>(c) >= 0x7f) c = '?';
     return text;
+  }
+
+  /// What programs write for numbers that are none counts: a node that is not finite is told as such.
+  static bool looks_like_number(std::string_view word) {
+    const char first = word.front();
+    if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.') return true;
+    std::string lower(word);
+    for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return lower == "nan" || lower == "inf" || lower == "infinity";
   }
 
   template <std::size_t kCount>
@@ -106,14 +117,14 @@ class CubeParser {
   }
 
   void parse_line(std::string_view content) {
-    const char first = content.front();
-    if ((first >= '0' && first <= '9') || first == '-' || first == '+' || first == '.') {
+    std::string_view rest = content;
+    const std::string_view keyword = next_word(rest);
+    if (looks_like_number(keyword)) {
       parse_node(content);
       return;
     }
-    std::string_view rest = content;
-    const std::string_view keyword = next_word(rest);
-    if (!lut_.nodes.empty()) fail(fmt::format("'{}' stands behind the first node", shown(keyword)));
+    if (!curves_.nodes.empty() || !lattice_.nodes.empty())
+      fail(fmt::format("'{}' stands behind the first node", shown(keyword)));
     parse_keyword(keyword, rest);
   }
 
@@ -121,16 +132,17 @@ class CubeParser {
     if (keyword == "TITLE") {
       parse_title(trimmed(rest));
     } else if (keyword == "LUT_3D_SIZE") {
-      parse_size(trimmed(rest));
+      parse_size(lattice_, keyword, trimmed(rest));
+    } else if (keyword == "LUT_1D_SIZE") {
+      parse_size(curves_, keyword, trimmed(rest));
     } else if (keyword == "DOMAIN_MIN" || keyword == "DOMAIN_MAX") {
       const auto [r, g, b] = numbers<3>(rest, keyword);
-      (keyword == "DOMAIN_MIN" ? lut_.domain_min : lut_.domain_max) = {r, g, b};
-    } else if (keyword == "LUT_3D_INPUT_RANGE") {
+      (keyword == "DOMAIN_MIN" ? domain_min_ : domain_max_) = Rgb{r, g, b};
+    } else if (keyword == "LUT_3D_INPUT_RANGE" || keyword == "LUT_1D_INPUT_RANGE") {
       const auto [low, high] = numbers<2>(rest, keyword);
-      lut_.domain_min = {low, low, low};
-      lut_.domain_max = {high, high, high};
-    } else if (keyword == "LUT_1D_SIZE") {
-      fail("the table is one-dimensional (LUT_1D_SIZE); only three-dimensional ones (LUT_3D_SIZE) are read");
+      Part& part = keyword == "LUT_3D_INPUT_RANGE" ? lattice_ : curves_;
+      part.low = {low, low, low};
+      part.high = {high, high, high};
     } else {
       fail(fmt::format("'{}' is no keyword of a .cube file that is understood", shown(keyword)));
     }
@@ -139,52 +151,68 @@ class CubeParser {
   void parse_title(std::string_view quoted) {
     if (quoted.size() < 2 || quoted.front() != '"' || quoted.back() != '"')
       fail("TITLE needs a text in quotes");
-    lut_.title = quoted.substr(1, quoted.size() - 2);
-    if (lut_.title.find('"') != std::string::npos) fail("the title holds a quote");
+    title_ = quoted.substr(1, quoted.size() - 2);
+    if (title_.find('"') != std::string::npos) fail("the title holds a quote");
   }
 
-  void parse_size(std::string_view word) {
-    if (has_size_) fail("LUT_3D_SIZE stands there twice");
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), lut_.size);
+  /// The nodes of a lattice or of curves.
+  struct Part {
+    int dimensions, largest;
+    int size = 0;
+    std::size_t wanted = 0;  ///< nodes; 0: the file has none of this kind
+    Rgb low{0, 0, 0}, high{1, 1, 1};
+    std::vector<Rgb> nodes;
+    const char* keyword() const { return dimensions == 3 ? "LUT_3D_SIZE" : "LUT_1D_SIZE"; }
+  };
+
+  void parse_size(Part& part, std::string_view keyword, std::string_view word) {
+    if (part.wanted > 0) fail(fmt::format("{} stands there twice", keyword));
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), part.size);
     if (word.empty() || error != std::errc() || end != word.data() + word.size() ||
-        lut_.size < kSmallestLut || lut_.size > kLargestLut)
-      fail(fmt::format("LUT_3D_SIZE is '{}' and must be a whole number of {} to {}", shown(word),
-                       kSmallestLut, kLargestLut));
-    has_size_ = true;
-    if (text_.size() + 1 < nodes_wanted() * kShortestNode)
-      fail_file(fmt::format("is cut off: {} bytes cannot hold the {} nodes of LUT_3D_SIZE {}", text_.size(),
-                            nodes_wanted(), lut_.size));
+        part.size < kSmallestLut || part.size > part.largest)
+      fail(fmt::format("{} is '{}' and must be a whole number of {} to {}", keyword, shown(word),
+                       kSmallestLut, part.largest));
+    const auto n = static_cast<std::size_t>(part.size);
+    part.wanted = part.dimensions == 3 ? n * n * n : n;
+    if (text_.size() + 1 < part.wanted * kShortestNode)
+      fail_file(fmt::format("is cut off: {} bytes cannot hold the {} nodes of {} {}", text_.size(),
+                            part.wanted, keyword, part.size));
   }
 
   void parse_node(std::string_view content) {
-    if (!has_size_) fail("a node stands before LUT_3D_SIZE");
-    if (lut_.nodes.size() == nodes_wanted())
-      fail(fmt::format("there are more than the {} nodes of LUT_3D_SIZE {}", nodes_wanted(), lut_.size));
-    if (lut_.nodes.empty()) lut_.nodes.reserve(nodes_wanted());
+    if (curves_.wanted + lattice_.wanted == 0) fail("a node stands before LUT_3D_SIZE or LUT_1D_SIZE");
+    Part& part = curves_.nodes.size() < curves_.wanted ? curves_ : lattice_;
+    if (part.nodes.size() == part.wanted) {
+      const Part& last = lattice_.wanted > 0 ? lattice_ : curves_;
+      fail(fmt::format("there are more than the {} nodes of {} {}", last.wanted, last.keyword(), last.size));
+    }
+    if (part.nodes.empty()) part.nodes.reserve(part.wanted);
     const auto [r, g, b] = numbers<3>(content, "a node");
-    lut_.nodes.push_back({r, g, b});
+    part.nodes.push_back({r, g, b});
   }
 
-  void finish() const {
-    if (!has_size_) fail_file("has no LUT_3D_SIZE: it is no .cube file");
-    if (lut_.nodes.size() != nodes_wanted())
-      fail_file(fmt::format("is cut off: it holds {} of the {} nodes of LUT_3D_SIZE {}", lut_.nodes.size(),
-                            nodes_wanted(), lut_.size));
-    if (!(lut_.domain_min.r < lut_.domain_max.r && lut_.domain_min.g < lut_.domain_max.g &&
-          lut_.domain_min.b < lut_.domain_max.b))
-      fail_file("has a domain whose minimum does not lie below its maximum");
-  }
-
-  std::size_t nodes_wanted() const {
-    const auto n = static_cast<std::size_t>(lut_.size);
-    return n * n * n;
+  void finish() {
+    if (curves_.wanted + lattice_.wanted == 0)
+      fail_file("has neither LUT_3D_SIZE nor LUT_1D_SIZE: it is no .cube file");
+    Part& first = curves_.wanted > 0 ? curves_ : lattice_;
+    if (domain_min_) first.low = *domain_min_;
+    if (domain_max_) first.high = *domain_max_;
+    for (const Part* part : {&curves_, &lattice_}) {
+      if (part->nodes.size() != part->wanted)
+        fail_file(fmt::format("is cut off: it holds {} of the {} nodes of {} {}", part->nodes.size(),
+                              part->wanted, part->keyword(), part->size));
+      const Rgb range = part->high - part->low;
+      if (!(std::min({range.r, range.g, range.b}) >= kNarrowestDomain))
+        fail_file("has a domain whose minimum does not lie below its maximum");
+    }
   }
 
   std::string_view text_;
   const std::string& name_;
   int line_ = 0;
-  bool has_size_ = false;
-  Lut lut_;
+  Part curves_{1, kLargestCurves}, lattice_{3, kLargestLut};
+  std::optional<Rgb> domain_min_, domain_max_;
+  std::string title_;
 };
 
 void append_numbers(std::string& text, Rgb c) {
@@ -193,8 +221,25 @@ void append_numbers(std::string& text, Rgb c) {
 
 }  // namespace
 
-Lut parse_cube(std::string_view text, const std::string& name) {
+CubeContent parse_cube_content(std::string_view text, const std::string& name) {
   return CubeParser(text, name).parse();
+}
+
+Rgb sample_content(const CubeContent& content, Rgb colour, LutInterpolation interpolation) {
+  const Rgb shaped = content.curves ? (*content.curves)(colour) : colour;
+  return content.lattice ? sample_lut(*content.lattice, shaped, interpolation) : shaped;
+}
+
+Lut lut_of_content(const CubeContent& content, int size) {
+  Lut lut = content.curves
+                ? lut_of_curves(*content.curves, content.lattice ? &*content.lattice : nullptr, size)
+                : *content.lattice;
+  lut.title = content.title;
+  return lut;
+}
+
+Lut parse_cube(std::string_view text, const std::string& name) {
+  return lut_of_content(parse_cube_content(text, name));
 }
 
 std::string cube_text(const Lut& lut) {
@@ -215,9 +260,13 @@ std::string cube_text(const Lut& lut) {
   return text;
 }
 
+CubeContent read_cube_content(const std::filesystem::path& path) {
+  return parse_cube_content(read_text_file(path, kLargestFile), path.string());
+}
+
 Lut read_lut(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
-  if (extension == ".cube") return parse_cube(read_text_file(path, kLargestFile), path.string());
+  if (extension == ".cube") return lut_of_content(read_cube_content(path));
   if (extension == ".png") return lut_of_strip(read_display_image(path), path.string());
   throw InputError(fmt::format("{} is no look-up table: give a .cube file or a .png strip", path.string()));
 }

@@ -1,11 +1,14 @@
 #include "core/lut/grade.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/lut/lattice.h"
 
@@ -188,28 +191,85 @@ PreparedLut::PreparedLut(const Lut& lut) {
       }
 }
 
-GradedImage PreparedLut::grade(const DisplayImage& image, const GradeOptions& options) const {
-  const std::int32_t n = header_.size + 1;
-  const std::int32_t strides[]{1, n, n * n};
-  const LatticePattern pattern = pattern_of(lattice_of(header_), strides);
-  const PaddedNodes nodes = padded_nodes(nodes_, strides);
-  const std::size_t values = 3 * static_cast<std::size_t>(image.width());
+/// Grades runs of pixels by one table.
+class RowGrader {
+ public:
+  explicit RowGrader(const PreparedLut& lut)
+      : strides_{1, lut.header_.size + 1, (lut.header_.size + 1) * (lut.header_.size + 1)},
+        pattern_(pattern_of(lattice_of(lut.header_), strides_)),
+        nodes_(padded_nodes(lut.nodes_, strides_)) {}
+
+  /// Room for the longest run.
+  struct Buffers {
+    explicit Buffers(std::size_t pixels)
+        : row(3 * pixels + kPadding), fractions(row.size()), offsets(row.size()) {}
+    std::vector<float> row, fractions;
+    std::vector<std::int32_t> offsets;
+  };
+
+  /// Returns the channel values that were cut.
+  std::int64_t grade(const Rgb* in, Rgb* out, int count, LutInterpolation interpolation,
+                     Buffers& buffers) const {
+    const std::size_t values = 3 * static_cast<std::size_t>(count);
+    std::memcpy(buffers.row.data(), in, values * sizeof(float));
+    HWY_DYNAMIC_DISPATCH(PlaceRow)
+    (buffers.row.data(), values, pattern_, buffers.offsets.data(), buffers.fractions.data());
+    const std::int64_t cut = HWY_DYNAMIC_DISPATCH(InterpolateRow)(
+        nodes_, buffers.offsets.data(), buffers.fractions.data(), buffers.row.data(), count,
+        interpolation == LutInterpolation::kTetrahedral);
+    std::memcpy(static_cast<void*>(out), buffers.row.data(), values * sizeof(float));
+    return cut;
+  }
+
+ private:
+  std::int32_t strides_[3];
+  LatticePattern pattern_;
+  PaddedNodes nodes_;
+};
+
+namespace {
+
+/// Grades row by row; `grade_row(y, buffers, graded)` returns the values cut in it.
+template <class GradeRow>
+GradedImage grade_rows(const DisplayImage& image, int threads, const GradeRow& grade_row) {
   GradedImage graded{DisplayImage(image.width(), image.height()), 0};
   std::vector<std::int64_t> cut(static_cast<std::size_t>(image.height()));
-  parallel_for(image.height(), kRowGrain, options.threads, [&](int begin, int end) {
-    std::vector<float> row(values + kPadding), fractions(values + kPadding);
-    std::vector<std::int32_t> offsets(values + kPadding);
-    for (int y = begin; y < end; ++y) {
-      std::memcpy(row.data(), image.row(y), values * sizeof(float));
-      HWY_DYNAMIC_DISPATCH(PlaceRow)(row.data(), values, pattern, offsets.data(), fractions.data());
-      cut[static_cast<std::size_t>(y)] = HWY_DYNAMIC_DISPATCH(InterpolateRow)(
-          nodes, offsets.data(), fractions.data(), row.data(), image.width(),
-          options.interpolation == LutInterpolation::kTetrahedral);
-      std::memcpy(static_cast<void*>(graded.image.row(y)), row.data(), values * sizeof(float));
-    }
+  parallel_for(image.height(), kRowGrain, threads, [&](int begin, int end) {
+    RowGrader::Buffers buffers(static_cast<std::size_t>(image.width()));
+    for (int y = begin; y < end; ++y) cut[static_cast<std::size_t>(y)] = grade_row(y, buffers, graded.image);
   });
   for (const std::int64_t row : cut) graded.cut += row;
   return graded;
+}
+
+}  // namespace
+
+GradedImage PreparedLut::grade(const DisplayImage& image, const GradeOptions& options) const {
+  const RowGrader grader(*this);
+  return grade_rows(image, options.threads, [&](int y, RowGrader::Buffers& buffers, DisplayImage& out) {
+    return grader.grade(image.row(y), out.row(y), image.width(), options.interpolation, buffers);
+  });
+}
+
+GradedImage grade_by_map(const DisplayImage& image, const Plane<int>& of_pixel,
+                         std::span<const PreparedLut* const> tables, const GradeOptions& options) {
+  if (image.width() != of_pixel.width() || image.height() != of_pixel.height())
+    throw InputError(fmt::format("a picture of {} × {} pixels and a map of {} × {} do not belong together",
+                                 image.width(), image.height(), of_pixel.width(), of_pixel.height()));
+  std::vector<RowGrader> graders;
+  for (const PreparedLut* table : tables) graders.emplace_back(*table);
+  return grade_rows(image, options.threads, [&](int y, RowGrader::Buffers& buffers, DisplayImage& out) {
+    const int* const owner = of_pixel.row(y);
+    std::int64_t cut = 0;
+    for (int x = 0; x < image.width();) {
+      int end = x + 1;
+      while (end < image.width() && owner[end] == owner[x]) ++end;
+      cut += graders[static_cast<std::size_t>(owner[x])].grade(image.row(y) + x, out.row(y) + x, end - x,
+                                                               options.interpolation, buffers);
+      x = end;
+    }
+    return cut;
+  });
 }
 
 }  // namespace plenolab

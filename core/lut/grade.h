@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/lut/lut.h"
@@ -26,8 +27,14 @@ class PreparedLut {
   GradedImage grade(const DisplayImage& image, const GradeOptions& options = {}) const;
 
  private:
+  friend class RowGrader;
   Lut header_;                ///< without nodes
   std::vector<float> nodes_;  ///< four values each
 };
+
+/// Every pixel by the table of its own: tables[of_pixel], all valid indices. As fast as one table where
+/// neighbours share theirs. Throws InputError for different sizes.
+GradedImage grade_by_map(const DisplayImage& image, const Plane<int>& of_pixel,
+                         std::span<const PreparedLut* const> tables, const GradeOptions& options = {});
 
 }  // namespace plenolab

@@ -13,8 +13,20 @@ namespace plenolab {
 
 namespace {
 
-bool finite(Rgb c) {
-  return std::isfinite(c.r) && std::isfinite(c.g) && std::isfinite(c.b);
+/// Finite, and small enough to be interpolated.
+bool bearable(Rgb c) {
+  const auto within = [](float v) { return v >= -kLargestLutNumber && v <= kLargestLutNumber; };
+  return within(c.r) && within(c.g) && within(c.b);
+}
+
+void check_domain(Rgb low, Rgb high) {
+  const auto is_range = [](float from, float to) { return to - from >= kNarrowestDomain; };
+  if (!(bearable(low) && bearable(high) && is_range(low.r, high.r) && is_range(low.g, high.g) &&
+        is_range(low.b, high.b)))
+    throw InputError(
+        fmt::format("the domain of a look-up table goes from ({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g}), but "
+                    "must lie within ±{:g} and its minimum below its maximum",
+                    low.r, low.g, low.b, high.r, high.g, high.b, kLargestLutNumber));
 }
 
 void check_size(int size) {
@@ -26,6 +38,13 @@ void check_size(int size) {
 std::size_t cube_of(int size) {
   const auto n = static_cast<std::size_t>(size);
   return n * n * n;
+}
+
+std::string domain_text(const Lut& lut) {
+  const Rgb low = lut.domain_min, high = lut.domain_max;
+  if (low.r == low.g && low.g == low.b && high.r == high.g && high.g == high.b)
+    return fmt::format("{:g} to {:g}", low.r, high.r);
+  return fmt::format("({:g}, {:g}, {:g}) to ({:g}, {:g}, {:g})", low.r, low.g, low.b, high.r, high.g, high.b);
 }
 
 template <class Function>
@@ -79,12 +98,13 @@ void Lut::validate() const {
   if (nodes.size() != cube_of(size))
     throw InputError(
         fmt::format("a look-up table of {0} × {0} × {0} nodes holds {1} of them", size, nodes.size()));
-  if (!(finite(domain_min) && finite(domain_max) && domain_min.r < domain_max.r &&
-        domain_min.g < domain_max.g && domain_min.b < domain_max.b))
-    throw InputError("the domain of a look-up table must be finite and its minimum below its maximum");
-  const auto bad = std::ranges::find_if_not(nodes, finite);
+  check_domain(domain_min, domain_max);
+  const auto bad = std::ranges::find_if_not(nodes, bearable);
   if (bad != nodes.end())
-    throw InputError(fmt::format("node {} of a look-up table is not finite", bad - nodes.begin()));
+    throw InputError(
+        fmt::format("node {} of a look-up table is ({:g}, {:g}, {:g}), but must be finite and lie "
+                    "within ±{:g}",
+                    bad - nodes.begin(), bad->r, bad->g, bad->b, kLargestLutNumber));
 }
 
 Rgb Lut::input_of(int r, int g, int b) const {
@@ -92,18 +112,29 @@ Rgb Lut::input_of(int r, int g, int b) const {
           node_input(domain_min.b, domain_max.b, b, size)};
 }
 
-Lut bake_lut(int size, const std::function<Rgb(Rgb)>& function) {
+Lut bake_lut(int size, const std::function<Rgb(Rgb)>& function, Rgb domain_min, Rgb domain_max) {
   check_size(size);
-  Lut lut;
-  lut.size = size;
+  check_domain(domain_min, domain_max);
+  Lut lut{size, domain_min, domain_max, {}, ""};
   lut.nodes.resize(cube_of(size));
   for_each_node(size, [&](int r, int g, int b) { lut.node(r, g, b) = function(lut.input_of(r, g, b)); });
   lut.validate();
   return lut;
 }
 
-Lut identity_lut(int size) {
-  return bake_lut(size, [](Rgb c) { return c; });
+Lut identity_lut(int size, Rgb domain_min, Rgb domain_max) {
+  return bake_lut(
+      size, [](Rgb c) { return c; }, domain_min, domain_max);
+}
+
+std::int64_t cut_all_to_unit(std::span<Rgb> colours) {
+  std::int64_t changed = 0;
+  for (Rgb& colour : colours) {
+    const Rgb kept = cut_to_unit(colour);
+    changed += (kept.r != colour.r ? 1 : 0) + (kept.g != colour.g ? 1 : 0) + (kept.b != colour.b ? 1 : 0);
+    colour = kept;
+  }
+  return changed;
 }
 
 Rgb sample_lut(const Lut& lut, Rgb colour, LutInterpolation interpolation) {
@@ -112,8 +143,13 @@ Rgb sample_lut(const Lut& lut, Rgb colour, LutInterpolation interpolation) {
 }
 
 Lut resample_lut(const Lut& lut, int size, LutInterpolation interpolation) {
+  return resample_lut(lut, size, lut.domain_min, lut.domain_max, interpolation);
+}
+
+Lut resample_lut(const Lut& lut, int size, Rgb domain_min, Rgb domain_max, LutInterpolation interpolation) {
   check_size(size);
-  Lut resampled{size, lut.domain_min, lut.domain_max, {}, lut.title};
+  check_domain(domain_min, domain_max);
+  Lut resampled{size, domain_min, domain_max, {}, lut.title};
   resampled.nodes.resize(cube_of(size));
   for_each_node(size, [&](int r, int g, int b) {
     resampled.node(r, g, b) = sample_lut(lut, resampled.input_of(r, g, b), interpolation);
@@ -126,9 +162,10 @@ Lut blend_luts(std::span<const WeightedLut> shares, LutInterpolation interpolati
   int size = 0;
   for (const WeightedLut& share : shares) {
     if (!(share.weight >= 0)) throw InputError(fmt::format("a weight of {} is below 0", share.weight));
-    if (share.lut->domain_min != shares.front().lut->domain_min ||
-        share.lut->domain_max != shares.front().lut->domain_max)
-      throw InputError("look-up tables of different domains cannot be blended");
+    const Lut& first = *shares.front().lut;
+    if (share.lut->domain_min != first.domain_min || share.lut->domain_max != first.domain_max)
+      throw InputError(fmt::format("look-up tables of the domains {} and {} cannot be blended",
+                                   domain_text(first), domain_text(*share.lut)));
     sum += share.weight;
     size = std::max(size, share.lut->size);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <string>
@@ -14,8 +16,8 @@ namespace plenolab {
 struct Lut {
   int size = 32;            ///< nodes along each axis, kSmallestLut to kLargestLut
   Rgb domain_min{0, 0, 0};  ///< input of the first node, by channel
-  Rgb domain_max{1, 1, 1};  ///< input of the last node, above domain_min
-  std::vector<Rgb> nodes;   ///< size³ outputs, red runs fastest, then green; all finite
+  Rgb domain_max{1, 1, 1};  ///< input of the last node, above domain_min by at least kNarrowestDomain
+  std::vector<Rgb> nodes;   ///< size³ outputs, red runs fastest, then green; at most ±kLargestLutNumber
   std::string title;        ///< free text of a .cube file, may be empty
 
   /// Throws InputError saying what is wrong.
@@ -34,15 +36,27 @@ struct Lut {
 
 /// Limits of the .cube format (Adobe, Cube LUT Specification 1.0).
 inline constexpr int kSmallestLut = 2, kLargestLut = 256;
+/// Largest magnitude of outputs and of the domain's ends, and least width of the domain: what differences,
+/// products and sums of 32 bits bear.
+inline constexpr float kLargestLutNumber = 1e30f, kNarrowestDomain = 1e-30f;
 /// Nodes along an axis where nothing else is asked for.
 inline constexpr int kDefaultLutSize = 32;
 
-/// The table of a function of encoded colours in [0, 1]. Throws InputError for a size out of range or a
-/// function that gives a value that is not finite.
-Lut bake_lut(int size, const std::function<Rgb(Rgb)>& function);
+/// The table of a function of colours in the domain. Throws InputError for a size or domain out of range or a
+/// function that gives a value that a table cannot hold.
+Lut bake_lut(int size, const std::function<Rgb(Rgb)>& function, Rgb domain_min = {0, 0, 0},
+             Rgb domain_max = {1, 1, 1});
 
 /// Outputs are the inputs.
-Lut identity_lut(int size);
+Lut identity_lut(int size, Rgb domain_min = {0, 0, 0}, Rgb domain_max = {1, 1, 1});
+
+/// Channels cut to what a picture can hold.
+constexpr Rgb cut_to_unit(Rgb c) {
+  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
+}
+
+/// Cuts colours to [0, 1] and returns how many channel values were outside.
+std::int64_t cut_all_to_unit(std::span<Rgb> colours);
 
 /// How colours between nodes are found.
 enum class LutInterpolation {
@@ -57,6 +71,9 @@ Rgb sample_lut(const Lut& lut, Rgb colour, LutInterpolation interpolation);
 
 /// The table at another number of nodes over the same domain.
 Lut resample_lut(const Lut& lut, int size, LutInterpolation interpolation);
+/// The same over another domain; beyond its own the table gives the outputs of its ends. Throws InputError
+/// for a size or domain out of range.
+Lut resample_lut(const Lut& lut, int size, Rgb domain_min, Rgb domain_max, LutInterpolation interpolation);
 
 /// A share of a blend.
 struct WeightedLut {

@@ -7,23 +7,16 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/parallel.h"
 
 namespace plenolab {
 
 namespace {
-
-constexpr int kRowGrain = 16;
 
 template <class A, class B>
 void require_equal_sizes(const A& a, const B& b) {
   if (a.width() != b.width() || a.height() != b.height())
     throw InputError(fmt::format("a picture of {} × {} pixels and a map of {} × {} do not belong together",
                                  a.width(), a.height(), b.width(), b.height()));
-}
-
-Rgb cut(Rgb c) {
-  return {std::clamp(c.r, 0.0f, 1.0f), std::clamp(c.g, 0.0f, 1.0f), std::clamp(c.b, 0.0f, 1.0f)};
 }
 
 }  // namespace
@@ -37,29 +30,26 @@ Plane<int> volume_of_objects(const Plane<int>& volume, const Plane<int>& object,
   for (std::size_t i = 0; i < object.size(); ++i)
     if (const int o = object.pixels()[i]; o >= 0)
       ++counts[columns * static_cast<std::size_t>(o) + static_cast<std::size_t>(volume.pixels()[i] + 1)];
+  std::vector<int> owner_of(static_cast<std::size_t>(std::max(0, objects)));
+  for (std::size_t o = 0; o < owner_of.size(); ++o) {
+    const auto first = counts.begin() + static_cast<std::ptrdiff_t>(columns * o);
+    owner_of[o] =
+        static_cast<int>(std::max_element(first, first + static_cast<std::ptrdiff_t>(columns)) - first) - 1;
+  }
   Plane<int> owner = volume;
   for (std::size_t i = 0; i < object.size(); ++i)
-    if (const int o = object.pixels()[i]; o >= 0) {
-      const auto first = counts.begin() + static_cast<std::ptrdiff_t>(columns) * o;
-      owner.pixels()[i] =
-          static_cast<int>(std::max_element(first, first + static_cast<std::ptrdiff_t>(columns)) - first) - 1;
-    }
+    if (const int o = object.pixels()[i]; o >= 0) owner.pixels()[i] = owner_of[static_cast<std::size_t>(o)];
   return owner;
 }
 
-DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume, std::span<const Lut> tables,
-                         const Lut& background, int threads) {
+DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume,
+                         std::span<const PreparedLut> tables, const PreparedLut& background, int threads) {
   require_equal_sizes(image, volume);
-  DisplayImage graded(image.width(), image.height());
-  parallel_for(image.height(), kRowGrain, threads, [&](int begin, int end) {
-    for (int y = begin; y < end; ++y)
-      for (int x = 0; x < image.width(); ++x) {
-        const int v = volume.at(x, y);
-        const Lut& lut = v < 0 ? background : tables[static_cast<std::size_t>(v)];
-        graded.at(x, y) = cut(sample_lut(lut, image.at(x, y), LutInterpolation::kTetrahedral));
-      }
-  });
-  return graded;
+  std::vector<const PreparedLut*> all{&background};
+  for (const PreparedLut& table : tables) all.push_back(&table);
+  Plane<int> of_pixel(volume.width(), volume.height());
+  std::ranges::transform(volume.pixels(), of_pixel.pixels().begin(), [](int v) { return v < 0 ? 0 : v + 1; });
+  return grade_by_map(image, of_pixel, all, {.threads = threads}).image;
 }
 
 }  // namespace plenolab

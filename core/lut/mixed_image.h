@@ -3,7 +3,7 @@
 #include <span>
 
 #include "core/image/image.h"
-#include "core/lut/lut.h"
+#include "core/lut/grade.h"
 
 namespace plenolab {
 
@@ -17,8 +17,8 @@ namespace plenolab {
 Plane<int> volume_of_objects(const Plane<int>& volume, const Plane<int>& object, int volumes);
 
 /// Each pixel graded by the table of its volume (−1: the background's), whatever the volumes' weights, cut to
-/// [0, 1]. Tables are looked up at the picture's pixels only. Throws InputError for different sizes.
-DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume, std::span<const Lut> tables,
-                         const Lut& background, int threads = 0);
+/// [0, 1]. Throws InputError for different sizes.
+DisplayImage grade_mixed(const DisplayImage& image, const Plane<int>& volume,
+                         std::span<const PreparedLut> tables, const PreparedLut& background, int threads = 0);
 
 }  // namespace plenolab

@@ -6,6 +6,11 @@
 
 namespace plenolab {
 
+namespace {
+/// Of programs that compute nodes in 32 bits or less; a strip of 16 bits has steps of 1.5e-5.
+constexpr float kRounding = 1e-4f;
+}  // namespace
+
 Lut lut_of_strip(const DisplayImage& strip, const std::string& name) {
   const int size = strip.height();
   if (size < kSmallestLut || size > kLargestLut || strip.width() != size * size)
@@ -31,14 +36,13 @@ DisplayImage strip_of_lut(const Lut& lut) {
     for (int g = 0; g < lut.size; ++g)
       for (int r = 0; r < lut.size; ++r) {
         const Rgb& c = lut.node(r, g, b);
-        const auto outside = [](float v) { return !(v >= 0 && v <= 1); };
+        const auto outside = [](float v) { return !(v >= -kRounding && v <= 1 + kRounding); };
         if (outside(c.r) || outside(c.g) || outside(c.b))
-          throw InputError(
-              fmt::format("an image strip holds only outputs of 0 to 1, but node ({}, {}, {}) has ({:g}, "
-                          "{:g}, {:g}): write a "
-                          ".cube file",
-                          r, g, b, c.r, c.g, c.b));
-        strip.at(b * lut.size + r, g) = c;
+          throw InputError(fmt::format(
+              "an image strip holds only outputs of 0 to 1, but node ({}, {}, {}) has ({:g}, "
+              "{:g}, {:g}): write a .cube file, or cut the outputs (plenolab lut convert --clamp)",
+              r, g, b, c.r, c.g, c.b));
+        strip.at(b * lut.size + r, g) = cut_to_unit(c);
       }
   return strip;
 }

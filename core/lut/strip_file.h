@@ -10,7 +10,8 @@ namespace plenolab {
 /// Throws InputError if the image is not size² × size pixels with a size of 2 … 256.
 Lut lut_of_strip(const DisplayImage& strip, const std::string& name);
 
-/// Throws InputError for a domain other than 0 … 1 or outputs outside [0, 1], which an image cannot hold.
+/// Outputs that leave [0, 1] by no more than rounding does (1e-4) are cut. Throws InputError for a domain
+/// other than 0 … 1 or outputs farther out, which an image cannot hold.
 DisplayImage strip_of_lut(const Lut& lut);
 
 }  // namespace plenolab

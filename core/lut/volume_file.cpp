@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -50,8 +51,11 @@ VolumeScene parse_volumes(std::string_view json, const std::string& name) {
     reader.wrong("version", "must be 1, the only version that this program reads");
   VolumeScene scene;
   if (reader.has("background")) scene.background = reader.text("background", kLongestPath);
+  std::set<std::string> names;
   for (const JsonReader& entry : reader.objects("volumes", kMostVolumes)) {
     scene.volumes.push_back(parse_volume(entry));
+    if (!names.insert(scene.volumes.back().name).second)
+      throw InputError(fmt::format("{}: two volumes are named '{}'", name, scene.volumes.back().name));
     scene.tables.push_back(entry.text("lut", kLongestPath));
     try {
       scene.volumes.back().validate();
@@ -88,7 +92,10 @@ LoadedVolumes read_volumes(const std::filesystem::path& path) {
     return read_lut(loaded.files.back());
   };
   for (const std::string& table : scene.tables) loaded.tables.push_back(read(table));
-  loaded.background = scene.background.empty() ? identity_lut(kDefaultLutSize) : read(scene.background);
+  const Rgb low = loaded.tables.empty() ? Rgb{0, 0, 0} : loaded.tables.front().domain_min,
+            high = loaded.tables.empty() ? Rgb{1, 1, 1} : loaded.tables.front().domain_max;
+  loaded.background =
+      scene.background.empty() ? identity_lut(kDefaultLutSize, low, high) : read(scene.background);
   return loaded;
 }
 

@@ -16,8 +16,9 @@ namespace plenolab {
 ///   "volumes": [{"name": "hall", "min": [-2, 0, -2], "max": [2, 8, 2],
 ///                "blend_radius_m": 1, "weight": 1, "lut": "hall.cube"}]
 /// }
-/// World coordinates in metres; tables are .cube files or .png strips, relative to the file's folder. Without
-/// "background" it is the identity; blend_radius_m and weight may be left out (0 and 1).
+/// World coordinates in metres; no two volumes have one name; tables are .cube files or .png strips, relative
+/// to the file's folder. Without "background" it is the identity (over the first table's domain);
+/// blend_radius_m and weight may be left out (0 and 1).
 struct VolumeScene {
   std::vector<Volume> volumes;
   std::vector<std::string> tables;  ///< one for each volume, as written

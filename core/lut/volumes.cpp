@@ -42,6 +42,11 @@ double linear_weight(const Volume& volume, const Point3& camera_m) {
   return distance < volume.blend_radius_m ? volume.weight * (1 - distance / volume.blend_radius_m) : 0;
 }
 
+void require_finite(const Point3& camera_m) {
+  for (const double coordinate : camera_m)
+    if (!std::isfinite(coordinate)) throw InputError("the camera's position is not finite");
+}
+
 VolumeWeights with_background(std::vector<double> weights) {
   const double sum = std::accumulate(weights.begin(), weights.end(), 0.0);
   if (sum > 1)
@@ -94,6 +99,7 @@ int innermost(std::span<const Volume> volumes, const Point3& point) {
 
 VolumeWeights linear_weights(std::span<const Volume> volumes, const Point3& camera_m) {
   for (const Volume& volume : volumes) volume.validate();
+  require_finite(camera_m);
   std::vector<double> weights(volumes.size(), 0.0);
   const int inside = innermost(volumes, camera_m);
   if (inside >= 0) {
@@ -111,8 +117,7 @@ void DepthCamera::validate() const {
   const auto is_unit = [](const Point3& v) { return std::abs(dot(v, v) - 1) < 1e-5; };
   if (!is_unit(forward) || !is_unit(up) || !(std::abs(dot(forward, up)) < 1e-5))
     throw InputError("the camera's forward and up must be unit vectors at right angles");
-  for (const double coordinate : position_m)
-    if (!std::isfinite(coordinate)) throw InputError("the camera's position is not finite");
+  require_finite(position_m);
 }
 
 Point3 DepthCamera::world_of(int x, int y, int width, int height, double depth_m) const {

@@ -46,7 +46,7 @@ struct VolumeWeights {
 
 /// Linear: weight·max(0, 1 − d/r) by the distance d of the camera to each box; inside a box the innermost
 /// has its weight alone. Weights of more than 1 together are divided by their sum; the background takes the
-/// rest.
+/// rest. Throws InputError for volumes out of range or a position that is not finite.
 VolumeWeights linear_weights(std::span<const Volume> volumes, const Point3& camera_m);
 
 /// A pinhole camera with the principal point in the image centre and square pixels.
@@ -74,12 +74,17 @@ struct VolumeCounts {
 };
 
 /// Counts pixels of a map of planar depth (metres, ∞ where nothing is) by the volume in which their surface
-/// lies. 32-bit arithmetic, vectorised: surfaces within rounding of a face may fall to either side. Throws
-/// InputError for volumes, camera or options out of range.
+/// lies. 32-bit arithmetic from the camera's position on, vectorised: surfaces within rounding of a face may
+/// fall to either side, wherever in the world the scene lies. Throws InputError for volumes, camera or
+/// options out of range.
 VolumeCounts count_pixels(const Plane<float>& depth_m, const DepthCamera& camera,
                           std::span<const Volume> volumes, const CountOptions& options = {});
 
-/// The volume of each pixel, −1 for the background: the literal algorithm in 64 bits.
+/// The volume of each pixel, −1 for the background, as count_pixels sees it.
+Plane<int> map_pixels(const Plane<float>& depth_m, const DepthCamera& camera, std::span<const Volume> volumes,
+                      int threads = 0);
+
+/// The volume of each pixel, −1 for the background: the literal algorithm in 64 bits, one by one.
 Plane<int> volume_of_pixels(const Plane<float>& depth_m, const DepthCamera& camera,
                             std::span<const Volume> volumes, int threads = 0);
 

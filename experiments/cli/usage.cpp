@@ -73,9 +73,9 @@ std::string explain_unknown(const ChosenCommand& chosen) {
 std::string explain_known(const CLI::ParseError& error) {
   const std::string text = error.what();
   const std::string option = text.substr(0, text.find(':'));
-  if (error.get_name() == "ArgumentMismatch")
-    return text.ends_with("missing") ? option + " needs a value" : option + " can be given only once";
-  return text;
+  if (error.get_name() != "ArgumentMismatch") return text;
+  if (text.ends_with("missing")) return option + " needs a value";
+  return text.find("At Most 1 ") == std::string::npos ? text : option + " can be given only once";
 }
 
 }  // namespace

@@ -35,6 +35,19 @@ NamedShare parse_share(const std::string& text) {
   throw UsageError(fmt::format("give tables and weights as LUT=WEIGHT, e.g. warm.cube=0.3, not '{}'", text));
 }
 
+/// The identity takes the domain of the others.
+std::vector<Lut> read_tables(const std::vector<NamedShare>& shares, Provenance& provenance) {
+  std::vector<Lut> tables;
+  const Lut* domain = nullptr;
+  for (const NamedShare& share : shares) tables.push_back(read_lut_input(share.table, provenance));
+  for (std::size_t i = 0; i < shares.size() && !domain; ++i)
+    if (shares[i].table != "identity") domain = &tables[i];
+  for (std::size_t i = 0; i < shares.size() && domain; ++i)
+    if (shares[i].table == "identity")
+      tables[i] = identity_lut(kDefaultLutSize, domain->domain_min, domain->domain_max);
+  return tables;
+}
+
 void run_blend(const Invocation& invocation, const BlendOptions& options) {
   std::vector<NamedShare> shares;
   double sum = 0;
@@ -45,8 +58,7 @@ void run_blend(const Invocation& invocation, const BlendOptions& options) {
   if (!(sum <= 1 + 1e-6)) throw UsageError(fmt::format("the weights sum to {:g}, which is more than 1", sum));
   Provenance provenance = begin_run(invocation, options.common);
   if (sum < 1 - 1e-6) shares.push_back({"identity", 1 - sum});
-  std::vector<Lut> tables;
-  for (const NamedShare& share : shares) tables.push_back(read_lut_input(share.table, provenance));
+  const std::vector<Lut> tables = read_tables(shares, provenance);
   std::vector<WeightedLut> weighted;
   for (std::size_t i = 0; i < shares.size(); ++i) weighted.push_back({&tables[i], shares[i].weight});
   const Lut blend = blend_luts(weighted, interpolation_of(options.interpolation));

@@ -1,18 +1,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <memory>
+#include <optional>
 
 #include "analysis/timing.h"
 #include "core/base/error.h"
+#include "core/base/file.h"
 #include "core/io/exr.h"
-#include "core/io/image_file.h"
-#include "core/lut/grade.h"
 #include "core/lut/volume_file.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/result_folder.h"
+#include "experiments/lut/camera.h"
 #include "experiments/lut/lut.h"
+#include "experiments/lut/picture.h"
 
 namespace plenolab {
 
@@ -20,25 +22,22 @@ namespace {
 
 struct FrameOptions {
   CommonOptions common;
+  CameraOptions camera;
+  GradingOptions grading;
   std::string volumes, depth, channel = "depth", method = "pixel", image, graded, out;
-  std::vector<double> position{0, 0, 0}, forward{0, 1, 0}, up{0, 0, 1};
-  double fov_h_deg = 60;
   int stride = 1;
 };
 
-Point3 point_of(const std::vector<double>& numbers) {
-  return {numbers[0], numbers[1], numbers[2]};
-}
-
-Point3 unit(const std::vector<double>& numbers, const char* option) {
-  const double length = std::hypot(numbers[0], numbers[1], numbers[2]);
-  if (!(length > 0)) throw UsageError(fmt::format("{}: the direction has no length", option));
-  return {numbers[0] / length, numbers[1] / length, numbers[2] / length};
-}
-
-DepthCamera camera_of(const FrameOptions& options) {
-  return {point_of(options.position), unit(options.forward, "--forward"), unit(options.up, "--up"),
-          options.fov_h_deg};
+/// Options of one method, or of the graded picture, given without it.
+void check_given(const CLI::App& app, const FrameOptions& options) {
+  const auto refuse = [&](std::initializer_list<const char*> names, const char* reason) {
+    for (const char* name : names)
+      if (app.count(name) > 0) throw UsageError(fmt::format("{}: {}", name, reason));
+  };
+  if (options.method == "linear")
+    refuse({"--depth", "--channel", "--forward", "--up", "--fov", "--stride"},
+           "--method linear goes by where the camera stands (--camera) alone");
+  if (options.image.empty()) refuse({"--interpolation", "--bits"}, "there is no --image to grade");
 }
 
 void check_together(const FrameOptions& options) {
@@ -46,17 +45,20 @@ void check_together(const FrameOptions& options) {
     throw UsageError("--method pixel counts what the camera sees: give --depth");
   if (options.image.empty() != options.graded.empty())
     throw UsageError("--image and --graded go together: the frame and where its graded version goes");
+  if (!options.graded.empty() && !options.out.empty() && item_path(options.graded) == item_path(options.out))
+    throw UsageError(fmt::format("--graded and -o are both {}: one would replace the other", options.out));
 }
 
 /// What a frame's table is blended from, and how long finding that out took.
 struct FrameWeights {
   VolumeWeights weights;
   std::int64_t pixels = 0;
+  int width = 0, height = 0;  ///< of the depth; 0: not looked at
   double seconds = 0;
 };
 
-FrameWeights weigh(const FrameOptions& options, const std::vector<Volume>& volumes, Provenance& provenance) {
-  const DepthCamera camera = camera_of(options);
+FrameWeights weigh(const FrameOptions& options, const DepthCamera& camera, const std::vector<Volume>& volumes,
+                   Provenance& provenance) {
   FrameWeights found;
   if (options.method == "linear") {
     const Stopwatch watch;
@@ -71,48 +73,65 @@ FrameWeights weigh(const FrameOptions& options, const std::vector<Volume>& volum
   found.weights = pixel_weights(counts, volumes);
   found.seconds = watch.seconds();
   found.pixels = counts.pixels();
+  found.width = depth.width();
+  found.height = depth.height();
   return found;
 }
 
-void grade_frame(const FrameOptions& options, const Lut& lut, Provenance& provenance) {
-  if (options.image.empty()) return;
-  const DisplayImage image = read_display_image(options.image);
-  add_input(provenance, options.image);
+/// The picture to grade, if one is wanted. Throws InputError if it is not that of the depth.
+std::optional<PictureFile> frame_picture(const FrameOptions& options, const FrameWeights& found,
+                                         Provenance& provenance) {
+  if (options.image.empty()) return std::nullopt;
+  PictureFile picture = read_picture(options.image, provenance);
+  if (found.width > 0 && (picture.image.width() != found.width || picture.image.height() != found.height))
+    throw InputError(fmt::format("{} has {} × {} pixels and {} {} × {}: they are not of one frame",
+                                 options.image, picture.image.width(), picture.image.height(), options.depth,
+                                 found.width, found.height));
+  return picture;
+}
+
+/// Writes both files or neither.
+void write_outputs(const FrameOptions& options, const Lut& lut, const GradedPicture* graded,
+                   Provenance& provenance) {
+  if (!options.out.empty()) require_lut_output(options.out, lut, provenance);
+  const auto write_table = [&] {
+    if (!options.out.empty()) write_lut_output(options.out, lut, provenance, options.common);
+  };
+  if (!graded) return write_table();
   require_keeps_inputs(provenance, options.graded);
-  write_display_image(options.graded,
-                      PreparedLut(lut).grade(image, {.threads = options.common.threads}).image);
+  write_atomically(options.graded, [&](const std::filesystem::path& temporary) {
+    write_display_image(temporary, graded->graded.image, graded->depth);
+    write_table();
+  });
+  write_run_json_beside(options.graded, provenance);
   tell(options.common, fmt::format("wrote {}", options.graded));
+}
+
+void add_weight_rows(ResultTable& table, const FrameWeights& found, const std::vector<Volume>& volumes) {
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+    table.add({"blend_weight", found.weights.volumes[i], "1", {{"volume", volumes[i].name}}});
+  table.add({"blend_weight", found.weights.background, "1", {{"volume", std::string("(background)")}}});
+  if (found.pixels > 0) table.add({"pixels_counted", static_cast<double>(found.pixels), "px", {}});
+  table.add({"seconds_weights", found.seconds, "s", {}});
 }
 
 void run_frame(const Invocation& invocation, const FrameOptions& options) {
   check_together(options);
+  const DepthCamera camera = camera_of(options.camera);
   Provenance provenance = begin_run(invocation, options.common);
   const LoadedVolumes scene = read_volumes(options.volumes);
   add_input(provenance, options.volumes);
   for (const auto& file : scene.files) add_input(provenance, file);
-  const FrameWeights found = weigh(options, scene.volumes, provenance);
+  const FrameWeights found = weigh(options, camera, scene.volumes, provenance);
   const Lut lut = blend_volumes(found.weights, scene.tables, scene.background);
-  grade_frame(options, lut, provenance);
-  if (!options.out.empty()) write_lut_output(options.out, lut, provenance, options.common);
+  const std::optional<PictureFile> picture = frame_picture(options, found, provenance);
+  std::optional<GradedPicture> graded;
+  if (picture) graded = grade_picture(*picture, PreparedLut(lut), options.grading, options.common.threads);
+  write_outputs(options, lut, graded ? &*graded : nullptr, provenance);
   ResultTable table;
-  for (std::size_t i = 0; i < scene.volumes.size(); ++i)
-    table.add({"blend_weight", found.weights.volumes[i], "1", {{"volume", scene.volumes[i].name}}});
-  table.add({"blend_weight", found.weights.background, "1", {{"volume", std::string("(background)")}}});
-  if (found.pixels > 0) table.add({"pixels_counted", static_cast<double>(found.pixels), "px", {}});
-  table.add({"seconds_weights", found.seconds, "s", {}});
+  add_weight_rows(table, found, scene.volumes);
+  if (graded) add_grading_rows(table, *picture, *graded, {{"image", options.image}});
   emit_results(table, provenance, options.common);
-}
-
-void add_camera_options(CLI::App& app, FrameOptions& options) {
-  const auto add_point = [&](const char* name, std::vector<double>& point, const char* help) {
-    app.add_option(name, point, help)->delimiter(',')->expected(3)->capture_default_str();
-  };
-  add_point("--camera", options.position, "Position of the camera as X,Y,Z in metres");
-  add_point("--forward", options.forward, "Where it looks, as X,Y,Z of any length");
-  add_point("--up", options.up, "At a right angle to that");
-  app.add_option("--fov", options.fov_h_deg, "Full horizontal opening angle in degrees")
-      ->capture_default_str()
-      ->check(number_between(0.01, 179.99));
 }
 
 }  // namespace
@@ -127,19 +146,23 @@ void add_lut_frame(CLI::App& app, const Invocation& invocation) {
       ->check(one_of({"pixel", "linear"}));
   app.add_option("--depth", options->depth, "Planar depth of the frame in metres, inf for nothing (.exr)");
   app.add_option("--channel", options->channel, "Channel of --depth")->capture_default_str();
-  add_camera_options(app, *options);
+  add_camera_options(app, options->camera);
   app.add_option("--stride", options->stride, "Count every n-th pixel of every n-th row")
       ->capture_default_str()
       ->check(whole_number(1, 65536));
   app.add_option("--image", options->image, "Frame to grade (.png)");
   app.add_option("--graded", options->graded, "Graded frame (.png)")->check(file_ending_in({".png"}));
+  add_grading_options(app, options->grading);
   app.add_option("-o,--out", options->out, "Blended table to write: .cube or .png")
       ->check(file_ending_in({".cube", ".png"}));
   add_common_options(app, options->common);
   app.footer(
       "Example: plenolab lut frame volumes.json --depth frame.exr --camera 0,-3,1.6 --forward 0,1,0 "
       "--image frame.png --graded graded.png");
-  app.callback([options, &invocation] { run_frame(invocation, *options); });
+  app.callback([options, &invocation, &app] {
+    check_given(app, *options);
+    run_frame(invocation, *options);
+  });
 }
 
 }  // namespace plenolab

@@ -18,13 +18,13 @@ void run_info(const Invocation& invocation, const InfoOptions& options) {
   for (const std::string& name : options.tables) {
     const Lut lut = read_lut_input(name, provenance);
     add_lut_rows(table, lut, name);
+    add_curve_rows(table, lut, name);
     if (lut.domain_min == Rgb{0, 0, 0} && lut.domain_max == Rgb{1, 1, 1}) continue;
-    const std::pair<const char*, float> ends[]{
-        {"r", lut.domain_min.r}, {"g", lut.domain_min.g}, {"b", lut.domain_min.b}};
-    const float high[]{lut.domain_max.r, lut.domain_max.g, lut.domain_max.b};
-    for (std::size_t k = 0; k < 3; ++k) {
-      table.add({"lut_domain_low", ends[k].second, "encoded", {{"lut", name}, {"channel", ends[k].first}}});
-      table.add({"lut_domain_high", high[k], "encoded", {{"lut", name}, {"channel", ends[k].first}}});
+    for (const auto& [channel, member] :
+         {std::pair("r", &Rgb::r), std::pair("g", &Rgb::g), std::pair("b", &Rgb::b)}) {
+      const decltype(ResultRow::columns) columns{{"lut", name}, {"channel", std::string(channel)}};
+      table.add({"lut_domain_low", lut.domain_min.*member, "encoded", columns});
+      table.add({"lut_domain_high", lut.domain_max.*member, "encoded", columns});
     }
   }
   emit_results(table, provenance, options.common);

@@ -7,7 +7,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/io/bytes.h"
 #include "core/lut/cube_file.h"
+#include "core/lut/strip_file.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/result_folder.h"
 
@@ -35,6 +37,14 @@ void add_lut_output(CLI::App& app, std::string& out) {
   app.add_option("-o,--out", out, "Table to write: .cube, or .png for a strip of 16 bits")
       ->required()
       ->check(file_ending_in({".cube", ".png"}));
+}
+
+void require_lut_output(const std::string& out, const Lut& lut, const Provenance& provenance) {
+  require_keeps_inputs(provenance, out);
+  if (lower_extension(out) == ".png")
+    strip_of_lut(lut);
+  else
+    lut.validate();
 }
 
 void write_lut_output(const std::string& out, const Lut& lut, Provenance& provenance,
@@ -65,6 +75,25 @@ void add_lut_rows(ResultTable& table, const Lut& lut, const std::string& name) {
   table.add({"lut_maximum", high, "encoded", columns});
   table.add({"lut_mean_change", sum / (3.0 * static_cast<double>(lut.nodes.size())), "encoded", columns});
   table.add({"lut_largest_change", largest, "encoded", columns});
+}
+
+void add_curve_rows(ResultTable& table, const Lut& lut, const std::string& path) {
+  if (lower_extension(path) != ".cube") return;
+  const CubeContent content = read_cube_content(path);
+  if (!content.curves) return;
+  const LutCurves& curves = *content.curves;
+  const Rgb range = curves.domain_max - curves.domain_min;
+  const std::size_t steps = 2 * (curves.nodes.size() - 1);
+  float largest = 0;
+  for (std::size_t i = 0; i <= steps; ++i) {
+    const Rgb c = curves.domain_min + range * (static_cast<float>(i) / static_cast<float>(steps));
+    const Rgb error = sample_lut(lut, c, LutInterpolation::kTetrahedral) -
+                      sample_content(content, c, LutInterpolation::kTetrahedral);
+    largest = std::max({largest, std::abs(error.r), std::abs(error.g), std::abs(error.b)});
+  }
+  const decltype(ResultRow::columns) columns{{"lut", path}};
+  table.add({"lut_curve_nodes", static_cast<double>(curves.nodes.size()), "nodes", columns});
+  table.add({"lut_largest_curve_error", largest, "encoded", columns});
 }
 
 }  // namespace plenolab

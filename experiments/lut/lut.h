@@ -32,6 +32,9 @@ Lut read_lut_input(const std::string& path, Provenance& provenance);
 
 /// Declares -o for a table.
 void add_lut_output(CLI::App& app, std::string& out);
+/// Throws UsageError if writing would replace an input, and InputError if a file of this kind cannot hold the
+/// table: before anything is written.
+void require_lut_output(const std::string& out, const Lut& lut, const Provenance& provenance);
 /// Writes a table with its run.json and says so. Throws UsageError if it would replace an input.
 void write_lut_output(const std::string& out, const Lut& lut, Provenance& provenance,
                       const CommonOptions& common);
@@ -39,5 +42,10 @@ void write_lut_output(const std::string& out, const Lut& lut, Provenance& proven
 /// Rows lut_size, lut_minimum and lut_maximum of the outputs, and how far they are from the inputs:
 /// lut_mean_change, lut_largest_change (encoded values).
 void add_lut_rows(ResultTable& table, const Lut& lut, const std::string& name);
+
+/// Of a .cube file with curves (LUT_1D_SIZE), which become a lattice: how many nodes the curves have
+/// (lut_curve_nodes) and how far `lut` is from them at most, at their nodes and between
+/// (lut_largest_curve_error); nothing for other tables. Reads the file again.
+void add_curve_rows(ResultTable& table, const Lut& lut, const std::string& path);
 
 }  // namespace plenolab

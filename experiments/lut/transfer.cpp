@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 
@@ -17,6 +19,24 @@ struct TransferOptions {
   std::string source, target, out;
 };
 
+/// A table that loses more of the way than this is worth a word.
+constexpr double kMuchLost = 0.1;
+
+std::vector<std::string> notes_on(const ColourTransfer& transfer) {
+  const double before = transfer.distance_before, unbaked = transfer.distance_unbaked,
+               after = transfer.distance_after;
+  std::vector<std::string> notes;
+  if (unbaked > before)
+    notes.emplace_back("the colours are farther apart than before: give more --samples or --iterations");
+  else if (after > before)
+    notes.emplace_back("by the table the colours are farther apart than before: give more nodes (--size)");
+  else if (after - unbaked > kMuchLost * (before - unbaked))
+    notes.emplace_back(
+        fmt::format("the table of {0} × {0} × {0} nodes loses {1:.0f} % of the way: give more nodes (--size)",
+                    transfer.lut.size, 100 * (after - unbaked) / (before - unbaked)));
+  return notes;
+}
+
 void run_transfer(const Invocation& invocation, TransferOptions options) {
   Provenance provenance = begin_run(invocation, options.common);
   const DisplayImage source = read_display_image(options.source), target = read_display_image(options.target);
@@ -30,8 +50,10 @@ void run_transfer(const Invocation& invocation, TransferOptions options) {
   ResultTable table;
   const decltype(ResultRow::columns) columns{{"source", options.source}, {"target", options.target}};
   table.add({"colour_distance_before", transfer.distance_before, "CIELAB units", columns});
+  table.add({"colour_distance_unbaked", transfer.distance_unbaked, "CIELAB units", columns});
   table.add({"colour_distance_after", transfer.distance_after, "CIELAB units", columns});
   table.add({"seconds_transfer", seconds, "s", columns});
+  for (const std::string& note : notes_on(transfer)) table.add({kNoteQuantity, 0, "1", {{"note", note}}});
   emit_results(table, provenance, options.common);
 }
 

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <tuple>
 
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
@@ -21,6 +23,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Of a frame: 8K.
+constexpr int kMostPixels = 7680 * 4320;
+
 struct WalkOptions {
   CommonOptions common;
   std::string out;
@@ -35,18 +40,22 @@ struct WalkTables {
   Lut background;
 };
 
-WalkTables make_tables(const WalkStage& stage, const std::vector<WalkFrame>& frames,
+/// Frames are rendered when they are needed and not kept: looking for those that show most of each place
+/// takes their depth alone.
+WalkTables make_tables(const WalkStage& stage, const std::vector<WalkPose>& path,
                        const WalkOptions& options) {
+  const int threads = options.common.threads;
+  std::vector<VolumeCounts> counts;
+  for (const WalkPose& pose : path)
+    counts.push_back(count_pixels(stage.surfaces(pose, options.width, options.height, threads).depth_m,
+                                  pose.camera, stage.volumes(), {1, threads}));
+  const std::vector<WalkLook> looks = make_walk_looks(
+      counts,
+      [&](std::size_t i) { return stage.frame(path[i], options.width, options.height, threads).picture; },
+      options.common.seed);
   WalkTables tables;
-  for (int look = 0; look < kWalkLooks; ++look) {
-    const bool is_background = look == kWalkLooks - 1;
-    const WalkFrame& source = frames[frame_that_shows_most(stage, frames, is_background ? -1 : look)];
-    Lut lut = make_walk_look(look, source.picture, kDefaultLutSize, options.common.seed).transfer.lut;
-    if (is_background)
-      tables.background = std::move(lut);
-    else
-      tables.volumes.push_back(std::move(lut));
-  }
+  for (std::size_t v = 0; v + 1 < looks.size(); ++v) tables.volumes.push_back(looks[v].transfer.lut);
+  tables.background = looks.back().transfer.lut;
   return tables;
 }
 
@@ -60,13 +69,15 @@ void write_scene(const fs::path& folder, const WalkStage& stage, const WalkTable
   write_text_file(folder / "volumes.json", volumes_text(scene));
 }
 
+/// What `lut frame` needs to be told of a frame's camera.
 void add_camera_rows(ResultTable& table, const DepthCamera& camera, std::size_t number) {
   const decltype(ResultRow::columns) columns{{"frame", static_cast<long long>(number)}};
-  table.add({"camera_x", camera.position_m[0], "m", columns});
-  table.add({"camera_y", camera.position_m[1], "m", columns});
-  table.add({"camera_z", camera.position_m[2], "m", columns});
-  table.add({"forward_x", camera.forward[0], "1", columns});
-  table.add({"forward_y", camera.forward[1], "1", columns});
+  for (const auto& [name, vector, unit] :
+       {std::tuple("camera", &camera.position_m, "m"), std::tuple("forward", &camera.forward, "1"),
+        std::tuple("up", &camera.up, "1")})
+    for (std::size_t k = 0; k < 3; ++k)
+      table.add({fmt::format("{}_{}", name, "xyz"[k]), (*vector)[k], unit, columns});
+  table.add({"fov_h", camera.fov_h_deg, "deg", columns});
 }
 
 void add_weight_rows(ResultTable& table, const VolumeWeights& weights, std::size_t number,
@@ -82,43 +93,49 @@ void add_weight_rows(ResultTable& table, const VolumeWeights& weights, std::size
 }
 
 void write_frame(const fs::path& folder, const WalkFrame& frame, std::size_t number, const WalkStage& stage,
-                 const WalkTables& tables, ResultTable& table) {
-  const std::string stem = fmt::format("frame-{:02}", number);
+                 const WalkTables& tables, int threads, ResultTable& table) {
+  const std::string stem = fmt::format("frame-{:03}", number);
   write_display_image(folder / (stem + ".png"), frame.picture);
   write_exr(folder / (stem + ".exr"), frame.radiance, {{"depth", &frame.depth_m}});
   add_camera_rows(table, frame.pose.camera, number);
   const std::vector<Volume>& volumes = stage.volumes();
   const VolumeWeights linear = linear_weights(volumes, frame.pose.camera.position_m),
-                      pixel = pixel_weights(count_pixels(frame.depth_m, frame.pose.camera, volumes), volumes);
+                      pixel = pixel_weights(
+                          count_pixels(frame.depth_m, frame.pose.camera, volumes, {1, threads}), volumes);
   for (const auto& [method, weights] :
        {std::pair<std::string, const VolumeWeights&>{"linear", linear}, {"pixel", pixel}}) {
     const PreparedLut lut(blend_volumes(weights, tables.volumes, tables.background));
-    write_display_image(folder / fmt::format("{}-{}.png", stem, method), lut.grade(frame.picture).image);
+    write_display_image(folder / fmt::format("{}-{}.png", stem, method),
+                        lut.grade(frame.picture, {.threads = threads}).image);
     add_weight_rows(table, weights, number, method, stage);
   }
 }
 
 void run_walk(const Invocation& invocation, const WalkOptions& options) {
+  if (options.width * options.height > kMostPixels)
+    throw UsageError(fmt::format("--width {} --height {}: frames have at most {} pixels", options.width,
+                                 options.height, kMostPixels));
   Provenance provenance = begin_run(invocation, options.common);
   const WalkStage stage;
-  std::vector<WalkFrame> frames;
-  ProgressBar bar("walk");
+  const int threads = options.common.threads;
   const std::vector<WalkPose> path = walk_path(options.density);
   ResultTable table;
-  write_result_folder(
-      {options.out, "lut-walk", "walk", options.force}, provenance, [&](const fs::path& folder) {
-        for (const WalkPose& pose : path) {
-          frames.push_back(stage.frame(pose, options.width, options.height, options.common.threads));
-          bar.callback()(static_cast<double>(frames.size()) / static_cast<double>(path.size()));
-        }
-        const WalkTables tables = make_tables(stage, frames, options);
-        write_scene(folder, stage, tables);
-        for (std::size_t i = 0; i < frames.size(); ++i)
-          write_frame(folder, frames[i], i, stage, tables, table);
-      });
+  write_result_folder({options.out, "lut-walk", "walk", options.force}, provenance,
+                      [&](const fs::path& folder) {
+                        ProgressBar bar("walk");
+                        const WalkTables tables = make_tables(stage, path, options);
+                        write_scene(folder, stage, tables);
+                        for (std::size_t i = 0; i < path.size(); ++i) {
+                          write_frame(folder, stage.frame(path[i], options.width, options.height, threads), i,
+                                      stage, tables, threads, table);
+                          bar.callback()(static_cast<double>(i + 1) / static_cast<double>(path.size()));
+                        }
+                        write_text_file(folder / "rows.csv", to_csv(table));
+                      });
   emit_results(table, provenance, options.common);
-  tell(options.common,
-       fmt::format("wrote {} frames, their tables and volumes.json to {}", frames.size(), options.out));
+  tell(options.common, fmt::format("wrote {} frames, their cameras and weights (rows.csv), tables and "
+                                   "volumes.json to {}",
+                                   path.size(), options.out));
 }
 
 }  // namespace
@@ -134,7 +151,7 @@ void add_lut_walk(CLI::App& app, const Invocation& invocation) {
   app.add_option("--height", options->height, "Pixels down")
       ->capture_default_str()
       ->check(whole_number(9, 8192));
-  app.add_option("--density", options->density, "1: 41 frames; other densities more or fewer")
+  app.add_option("--density", options->density, "1: 41 frames; 10: ten times as many steps")
       ->capture_default_str()
       ->check(number_between(0.01, 10));
   add_force_option(app, options->force);

@@ -119,10 +119,14 @@ ReportSection effort_section(const Laboratory& laboratory,
                              const std::vector<FinishedReproduction>& finished) {
   ReportSection section{"What it took", {}, {}};
   const RenderingTally& tally = laboratory.tally();
-  section.blocks.emplace_back(Paragraph{fmt::format(
-      "Effort {}: {} views rendered in {} ({:.3g} million rays a second), {} views from the cache.",
-      name_of(laboratory.options().effort), tally.rendered, format_duration(tally.seconds),
-      tally.seconds > 0 ? static_cast<double>(tally.rays) / tally.seconds * 1e-6 : 0.0, tally.from_cache)});
+  const std::string rendered = tally.rendered > 0 && tally.seconds > 0
+                                   ? fmt::format("{} views rendered in {} ({:.3g} million rays a second)",
+                                                 tally.rendered, format_duration(tally.seconds),
+                                                 static_cast<double>(tally.rays) / tally.seconds * 1e-6)
+                                   : std::string("no view path traced");
+  section.blocks.emplace_back(
+      Paragraph{fmt::format("Effort {}: {}, {} views from the cache.", name_of(laboratory.options().effort),
+                            rendered, tally.from_cache)});
   ReportTable table{"Time of each item, rendering included", {"item", "seconds", "outcome"}, {}, 3};
   for (const FinishedReproduction& f : finished)
     table.rows.push_back(

@@ -42,6 +42,24 @@ TEST(Walk, GoesInSmallStepsAndTurnsOnTheSpotBetweenVolumes) {
   }
 }
 
+TEST(Walk, StandsForHalfATurnIncludingItsEndAndMovesInAllOtherFrames) {
+  const std::vector<WalkPose> path = walk_path();
+  std::vector<std::vector<std::size_t>> turns;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (!path[i].turning) continue;
+    if (turns.empty() || turns.back().back() + 1 != i) turns.emplace_back();
+    turns.back().push_back(i);
+  }
+  ASSERT_EQ(turns.size(), 2u);
+  for (const std::vector<std::size_t>& turn : turns) {
+    const DepthCamera &first = path[turn.front()].camera, &last = path[turn.back()].camera;
+    EXPECT_EQ(distance_m(first.position_m, last.position_m), 0);
+    EXPECT_NEAR(turn_deg(first.forward, last.forward), 180, 1e-3);
+    EXPECT_GT(distance_m(path[turn.back() + 1].camera.position_m, last.position_m), 0)
+        << "no frame is left out";
+  }
+}
+
 TEST(Walk, DensityChangesTheNumberOfPosesOnly) {
   const std::vector<WalkPose> coarse = walk_path(1e-9), fine = walk_path(3), plain = walk_path();
   EXPECT_EQ(coarse.size(), 8u) << "seven legs and the end";
@@ -153,7 +171,11 @@ TEST(SweepLut, ErrorsFallWithTheSizeOfTheTable) {
       EXPECT_GT(errors[first], 0.01) << chain;
     }
   }
-  EXPECT_NO_THROW(plot_lut_sweep(table).validate());
+  const Plot plot = plot_lut_sweep(table);
+  EXPECT_NO_THROW(plot.validate());
+  EXPECT_EQ(plot.series.size(), 4u) << "two chains, two interpolations";
+  for (const PlotSeries& series : plot.series)
+    EXPECT_TRUE(std::ranges::is_sorted(series.points, {}, &PlotPoint::x));
 }
 
 }  // namespace

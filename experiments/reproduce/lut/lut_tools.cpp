@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "core/base/error.h"
 
@@ -42,6 +43,20 @@ DisplayImage contact_sheet(const std::vector<DisplayImage>& pictures, int column
     for (int y = 0; y < height; ++y) std::copy_n(small.row(y), width, sheet.row(top + y) + left);
   }
   return sheet;
+}
+
+DisplayImage frame_sheet(WalkBench& bench, std::span<const std::size_t> frames, int columns,
+                         const std::function<DisplayImage(std::size_t)>& picture) {
+  constexpr int kSmallWidth_px = 200;
+  std::vector<DisplayImage> pictures;
+  for (const std::size_t i : frames) pictures.push_back(picture(i));
+  return contact_sheet(pictures, columns, bench.frames().front().picture.width() > kSmallWidth_px ? 2 : 1);
+}
+
+std::string number_word(std::size_t number) {
+  constexpr std::array kWords{"no",    "one",   "two",  "three", "four",   "five",  "six",
+                              "seven", "eight", "nine", "ten",   "eleven", "twelve"};
+  return number < kWords.size() ? kWords.at(number) : std::to_string(number);
 }
 
 std::vector<std::size_t> turning_frames(WalkBench& bench, bool turning) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,13 @@ inline constexpr int kFramesTogether = 5;
 /// Pictures of equal size side by side in rows of `columns`, with a gap of white; each made smaller by taking
 /// the mean of `divisor` × `divisor` pixels.
 DisplayImage contact_sheet(const std::vector<DisplayImage>& pictures, int columns, int divisor = 1);
+
+/// The contact sheet of some frames of the walk, each as `picture` makes it; large ones at half their size.
+DisplayImage frame_sheet(WalkBench& bench, std::span<const std::size_t> frames, int columns,
+                         const std::function<DisplayImage(std::size_t)>& picture);
+
+/// "two", "three" …; digits from thirteen on.
+std::string number_word(std::size_t number);
 
 /// Indices of the frames in which the walker stands between two volumes and turns, and of all others.
 std::vector<std::size_t> turning_frames(WalkBench& bench, bool turning = true);

@@ -78,13 +78,10 @@ const std::vector<WalkFrame>& WalkBench::frames() {
 }
 
 const std::vector<WalkLook>& WalkBench::looks() {
-  if (!looks_.empty()) return looks_;
   frames();
-  for (int look = 0; look < kWalkLooks; ++look) {
-    const int volume = look < kWalkLooks - 1 ? look : -1;
-    const std::size_t source = frame_that_shows_most(stage_, frames_, volume);
-    looks_.push_back(make_walk_look(look, frames_[source].picture, kDefaultLutSize, options_.seed));
-  }
+  if (looks_.empty())
+    looks_ = make_walk_looks(
+        counts_, [&](std::size_t i) { return frames_[i].picture; }, options_.seed);
   return looks_;
 }
 
@@ -92,6 +89,12 @@ const std::vector<Lut>& WalkBench::tables() {
   if (tables_.empty())
     for (std::size_t v = 0; v < stage_.volumes().size(); ++v) tables_.push_back(looks()[v].transfer.lut);
   return tables_;
+}
+
+const std::vector<PreparedLut>& WalkBench::prepared() {
+  if (prepared_.empty())
+    for (const WalkLook& look : looks()) prepared_.emplace_back(look.transfer.lut);
+  return prepared_;
 }
 
 const Lut& WalkBench::background() {
@@ -102,20 +105,21 @@ std::string WalkBench::place(int volume) const {
   return volume < 0 ? "background" : stage_.volumes()[static_cast<std::size_t>(volume)].name;
 }
 
-DisplayImage WalkBench::grade(const DisplayImage& picture, const Lut& lut) const {
-  return PreparedLut(lut).grade(picture, {.threads = options_.threads}).image;
+DisplayImage WalkBench::grade_mixed_image(const WalkFrame& frame, const Plane<int>& volume) {
+  return grade_mixed(frame.picture, volume, std::span(prepared()).first(tables().size()), prepared().back(),
+                     options_.threads);
 }
 
 DisplayImage WalkBench::graded_by(std::size_t frame, int volume) {
-  const Lut& lut = volume < 0 ? background() : tables()[static_cast<std::size_t>(volume)];
-  return grade(frames()[frame].picture, lut);
+  const PreparedLut& lut = volume < 0 ? prepared().back() : prepared()[static_cast<std::size_t>(volume)];
+  return lut.grade(frames()[frame].picture, {.threads = options_.threads}).image;
 }
 
 DisplayImage WalkBench::graded(std::size_t frame, BlendMethod method) {
   const Score& score = scores()[frame];
-  return grade(
-      frames_[frame].picture,
+  const PreparedLut blend(
       blend_volumes(method == BlendMethod::kLinear ? score.linear : score.pixel, tables(), background()));
+  return blend.grade(frames_[frame].picture, {.threads = options_.threads}).image;
 }
 
 DisplayImage WalkBench::reference(std::size_t frame, GradeReference reference) {
@@ -125,7 +129,7 @@ DisplayImage WalkBench::reference(std::size_t frame, GradeReference reference) {
   Plane<int> volume = volume_of_pixels(f.depth_m, f.pose.camera, stage_.volumes(), options_.threads);
   if (reference == GradeReference::kByObject)
     volume = volume_of_objects(volume, f.object, static_cast<int>(stage_.volumes().size()));
-  return grade_mixed(f.picture, volume, tables(), background(), options_.threads);
+  return grade_mixed_image(f, volume);
 }
 
 WalkBench::Score WalkBench::score(std::size_t frame) {

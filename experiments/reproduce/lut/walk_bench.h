@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/lut/grade.h"
 #include "experiments/reproduce/laboratory.h"
 #include "experiments/walk.h"
 
@@ -23,7 +24,7 @@ const char* name_of(GradeReference reference);  ///< "volume ahead", "volume of 
 /// What the items on look-up tables in a scene share during one run: the walk, rendered, its looks, and the
 /// errors of both blends, each computed when first asked for and kept.
 ///
-/// A quick run has 41 frames of 384 × 216 pixels, a tiny one 15 of 96 × 54, a paper run 81 of 960 × 540.
+/// A quick run has 41 frames of 384 × 216 pixels, a tiny one 14 of 96 × 54, a paper run 81 of 960 × 540.
 class WalkBench {
  public:
   explicit WalkBench(LaboratoryOptions options);
@@ -34,6 +35,8 @@ class WalkBench {
   const std::vector<WalkLook>& looks();
   const std::vector<Lut>& tables();  ///< of the volumes
   const Lut& background();
+  /// All tables ready for grading, the background's last.
+  const std::vector<PreparedLut>& prepared();
   /// Name of a volume, −1: the background.
   std::string place(int volume) const;
 
@@ -54,6 +57,8 @@ class WalkBench {
   /// A frame as each method and reference shows it.
   DisplayImage graded(std::size_t frame, BlendMethod method);
   DisplayImage reference(std::size_t frame, GradeReference reference);
+  /// A picture of which each pixel takes the table of its volume, −1: the background's.
+  DisplayImage grade_mixed_image(const WalkFrame& frame, const Plane<int>& volume);
   /// A frame graded by one table all over, −1: the background's.
   DisplayImage graded_by(std::size_t frame, int volume);
 
@@ -61,7 +66,6 @@ class WalkBench {
 
  private:
   Score score(std::size_t frame);
-  DisplayImage grade(const DisplayImage& picture, const Lut& lut) const;
 
   LaboratoryOptions options_;
   WalkStage stage_;
@@ -69,6 +73,7 @@ class WalkBench {
   std::vector<VolumeCounts> counts_;
   std::vector<WalkLook> looks_;
   std::vector<Lut> tables_;
+  std::vector<PreparedLut> prepared_;
   std::vector<Score> scores_;
 };
 

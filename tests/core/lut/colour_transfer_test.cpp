@@ -34,6 +34,26 @@ TEST(ColourTransfer, BringsTheColoursOfOnePictureToThoseOfTheOther) {
   EXPECT_LT(transfer.distance_after, 0.05 * transfer.distance_before);
 }
 
+TEST(ColourTransfer, DistancesAreOfThePicturesNotOfTheFewPixelsFitted) {
+  const DisplayImage cold = picture(1, {0.3f, 0.4f, 0.6f}, 0.15f),
+                     warm = picture(2, {0.7f, 0.5f, 0.3f}, 0.2f);
+  const ColourTransfer two = transfer_colours(cold, warm, {.samples = 2, .size = 33}),
+                       all = transfer_colours(cold, warm, {.size = 33});
+  EXPECT_DOUBLE_EQ(two.distance_before, all.distance_before);
+  EXPECT_GT(two.distance_after, 2) << "two pixels say little about a picture";
+  EXPECT_LT(all.distance_after, 2);
+}
+
+TEST(ColourTransfer, TheDistanceWithoutTheTableTellsWhatTheTableLoses) {
+  const DisplayImage cold = picture(1, {0.3f, 0.4f, 0.6f}, 0.15f),
+                     warm = picture(2, {0.7f, 0.5f, 0.3f}, 0.2f);
+  const ColourTransfer coarse = transfer_colours(cold, warm, {.size = 3}),
+                       fine = transfer_colours(cold, warm, {.size = 65});
+  EXPECT_DOUBLE_EQ(coarse.distance_unbaked, fine.distance_unbaked);
+  EXPECT_LT(coarse.distance_unbaked, 0.5 * coarse.distance_after);
+  EXPECT_NEAR(fine.distance_unbaked, fine.distance_after, 0.3);
+}
+
 TEST(ColourTransfer, TheTableHoldsTheTransferItselfAtItsNodes) {
   const ColourTransfer transfer =
       transfer_colours(picture(1, {0.3f, 0.4f, 0.6f}, 0.15f), picture(2, {0.7f, 0.5f, 0.3f}, 0.2f),

@@ -172,13 +172,66 @@ TEST(Lut, RefusesBlendsAndTablesThatMeanNothing) {
   };
   EXPECT_EQ(blend(0.5, 0.4, a), "the weights of a blend sum to 0.9 and must sum to 1");
   EXPECT_EQ(blend(1.5, -0.5, a), "a weight of -0.5 is below 0");
-  EXPECT_EQ(blend(0.5, 0.5, b), "look-up tables of different domains cannot be blended");
+  EXPECT_EQ(blend(0.5, 0.5, b), "look-up tables of the domains 0 to 1 and 0 to 2 cannot be blended");
   EXPECT_THROW(identity_lut(1), InputError);
   EXPECT_THROW(identity_lut(257), InputError);
   EXPECT_THROW(bake_lut(3, [](Rgb) { return Rgb{NAN, 0, 0}; }), InputError);
   Lut short_lut = a;
   short_lut.nodes.pop_back();
   EXPECT_THROW(PreparedLut{short_lut}, InputError);
+}
+
+TEST(Lut, RefusesNumbersThatItsArithmeticCannotBear) {
+  Lut wide = identity_lut(4);
+  wide.domain_min = {-3e38f, -3e38f, -3e38f};
+  wide.domain_max = {3e38f, 3e38f, 3e38f};
+  EXPECT_THROW(wide.validate(), InputError) << "the width of the domain overflows";
+  Lut narrow = identity_lut(4);
+  narrow.domain_max = {1e-44f, 1, 1};
+  EXPECT_THROW(narrow.validate(), InputError) << "its inverse overflows";
+  Lut steep = identity_lut(2);
+  steep.nodes[1] = {3e38f, 0, 0};
+  EXPECT_THROW(steep.validate(), InputError);
+}
+
+TEST(Lut, AtTheLimitsOfItsNumbersEveryColourIsFinite) {
+  const float most = kLargestLutNumber;
+  Lut lut = bake_lut(3, [](Rgb c) { return c; }, {-most, 0, -most}, {most, kNarrowestDomain, most});
+  for (std::size_t i = 0; i < lut.nodes.size(); ++i)
+    lut.nodes[i] = i % 2 == 0 ? Rgb{most, -most, most} : Rgb{-most, most, -most};
+  lut.validate();
+  for (const LutInterpolation interpolation : kBoth)
+    for (std::uint64_t i = 0; i < 100; ++i) {
+      const Rgb c = random_colour(i);
+      for (const Rgb& colour : {c, c * 1e30f, c * 1e-30f, c * -3e38f}) {
+        const Rgb out = sample_lut(lut, colour, interpolation);
+        EXPECT_TRUE(std::isfinite(out.r) && std::isfinite(out.g) && std::isfinite(out.b));
+        const Rgb fast =
+            PreparedLut(lut).grade(DisplayImage(1, 1, colour), {interpolation, 1}).image.at(0, 0);
+        EXPECT_TRUE(fast.r >= 0 && fast.r <= 1 && fast.g >= 0 && fast.g <= 1);
+      }
+    }
+  EXPECT_EQ(sample_lut(lut, {0, 0, 0}, kBoth[0]), lut.node(1, 0, 1))
+      << "the middle of the domain, not node 0";
+}
+
+TEST(Lut, OverAnotherDomainItIsTheSameTableAndBeyondItsOwnThatOfItsEnds) {
+  const Lut lut = curved_lut(17);
+  const Lut wide = resample_lut(lut, 49, {-1, -1, -1}, {2, 2, 2}, LutInterpolation::kTetrahedral);
+  EXPECT_EQ(wide.domain_min, (Rgb{-1, -1, -1}));
+  EXPECT_EQ(wide.node(0, 0, 0), lut.node(0, 0, 0));
+  EXPECT_EQ(wide.node(48, 40, 48), lut.node(16, 16, 16));
+  // Every third node of 49 over three widths is a node of 17 over one.
+  for (int i = 0; i < 17; ++i) EXPECT_LE(difference(wide.node(16 + i, 16, 32), lut.node(i, 0, 16)), 1e-6);
+  EXPECT_THROW(resample_lut(lut, 17, {0, 0, 0}, {0, 1, 1}, LutInterpolation::kTetrahedral), InputError);
+  EXPECT_EQ(identity_lut(3, {-1, 0, 0}, {1, 2, 4}).node(2, 1, 1), (Rgb{1, 1, 2}));
+}
+
+TEST(Lut, CuttingNodesCountsWhatItChanges) {
+  Lut lut = bake_lut(2, [](Rgb c) { return Rgb{2 * c.r, c.g - 0.5f, c.b}; });
+  EXPECT_EQ(cut_all_to_unit(lut.nodes), 8);
+  EXPECT_EQ(lut.node(1, 0, 1), (Rgb{1, 0, 1}));
+  EXPECT_EQ(cut_all_to_unit(lut.nodes), 0);
 }
 
 }  // namespace

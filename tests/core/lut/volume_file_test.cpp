@@ -58,6 +58,20 @@ TEST(VolumeFile, SaysWhatIsWrongAndWhere) {
   EXPECT_TRUE(parse_volumes(volumes_json(""), "v.json").volumes.empty());
 }
 
+TEST(VolumeFile, TheIdentityOfTheBackgroundTakesTheDomainOfTheTables) {
+  const TemporaryFolder folder;
+  write_lut(folder.path() / "wide.cube", identity_lut(3, {0, 0, 0}, {2, 2, 2}));
+  write_text_file(folder.path() / "v.json",
+                  volumes_json(R"({"name": "a", "min": [0, 0, 0], "max": [1, 1, 1], "lut": "wide.cube"})"));
+  const LoadedVolumes loaded = read_volumes(folder.path() / "v.json");
+  EXPECT_EQ(blend_volumes({{0.5}, 0.5}, loaded.tables, loaded.background).domain_max, (Rgb{2, 2, 2}));
+}
+
+TEST(VolumeFile, RefusesTwoVolumesOfOneName) {
+  const std::string one = R"({"name": "hall", "min": [0, 0, 0], "max": [1, 1, 1], "lut": "a.cube"})";
+  EXPECT_EQ(refused(one + ", " + one), "v.json: two volumes are named 'hall'");
+}
+
 TEST(VolumeFile, WhatIsWrittenReadsBack) {
   const VolumeScene scene{
       {{"hall \"A\"", {-2, 0, -2.5}, {2, 8, 2}, 1, 0.5}, {"point", {1, 1, 1}, {1, 1, 1}, 0, 1}},

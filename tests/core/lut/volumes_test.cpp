@@ -99,6 +99,56 @@ TEST(Volumes, CountsAgreeWithTheLiteralAlgorithmForAnyThreadsAndStride) {
   }
 }
 
+TEST(Volumes, CountsAreTheSameWhereverInTheWorldTheSceneLies) {
+  const DepthCamera at_home{{0.3, -1, 0.2}, {0.6, 0.8, 0}, {0, 0, 1}, 75};
+  const Plane<float> depth = random_depth(320, 180);
+  // Coordinates of a map: UTM has northings of millions of metres.
+  for (const Point3& shift : {Point3{0, 0, 0}, Point3{4.5e5, 5e6, 100}, Point3{-1e7, 1e7, 1e7}}) {
+    DepthCamera camera = at_home;
+    std::vector<Volume> volumes = rooms();
+    for (std::size_t k = 0; k < 3; ++k) {
+      camera.position_m[k] += shift[k];
+      for (Volume& volume : volumes) {
+        volume.min[k] += shift[k];
+        volume.max[k] += shift[k];
+      }
+    }
+    const Plane<int> literal = volume_of_pixels(depth, camera, volumes);
+    const VolumeCounts counts = count_pixels(depth, camera, volumes);
+    for (int v = 0; v < 3; ++v) {
+      const auto expected = static_cast<double>(std::ranges::count(literal.pixels(), v));
+      if (v != 1) {
+        EXPECT_GT(expected, 100) << "the camera looks past the cupboard";
+      }
+      EXPECT_NEAR(static_cast<double>(counts.volumes[static_cast<std::size_t>(v)]), expected, 2)
+          << shift[1] << " " << v;
+    }
+  }
+}
+
+TEST(Volumes, TheFastMapIsTheLiteralOneAndWhatIsCounted) {
+  const auto volumes = rooms();
+  const DepthCamera camera{{0.3, -1, 0.2}, {0.6, 0.8, 0}, {0, 0, 1}, 75};
+  for (const auto& [width, height] : {std::pair(133, 71), std::pair(1, 1), std::pair(7, 3)}) {
+    const Plane<float> depth = random_depth(width, height);
+    const Plane<int> map = map_pixels(depth, camera, volumes, 2);
+    EXPECT_EQ(map, volume_of_pixels(depth, camera, volumes));
+    EXPECT_EQ(map, map_pixels(depth, camera, volumes, 1));
+    const VolumeCounts counts = count_pixels(depth, camera, volumes);
+    for (int v = 0; v < 3; ++v)
+      EXPECT_EQ(counts.volumes[static_cast<std::size_t>(v)], std::ranges::count(map.pixels(), v));
+  }
+  EXPECT_TRUE(map_pixels({}, camera, volumes).empty());
+  EXPECT_THROW(map_pixels(Plane<float>(2, 2), {{0, 0, 0}, {0, 2, 0}, {0, 0, 1}, 60}, volumes), InputError);
+}
+
+TEST(Volumes, BoxesBeyondThirtyTwoBitsHoldWhatTheyHold) {
+  const std::vector<Volume> huge{{"huge", {-1e300, -1e300, -1e300}, {1e300, 1e300, 1e300}, 0, 1}};
+  const Plane<float> far(5, 5, 3e38f);
+  EXPECT_EQ(count_pixels(far, {}, huge).volumes[0], 25);
+  EXPECT_EQ(map_pixels(far, {}, huge), volume_of_pixels(far, {}, huge));
+}
+
 TEST(Volumes, PixelWeightsAreSharesOfTheFrame) {
   const auto volumes = rooms();
   const DepthCamera camera{{0, 1, 0}, {0, 1, 0}, {0, 0, 1}, 20};
@@ -147,6 +197,7 @@ TEST(Volumes, RefusesBoxesCamerasAndStridesThatAreNone) {
   throws(box, {{0, 0, 0}, {0, 1, 0}, {0, 1, 0}, 60}, 1);
   throws(box, {{0, 0, 0}, {0, 1, 0}, {0, 0, 1}, 180}, 1);
   throws(box, {}, 0);
+  EXPECT_THROW(linear_weights(std::vector<Volume>{box}, {NAN, 0, 0}), InputError);
 }
 
 TEST(Volumes, TheTableOfAFrameIsTheBlendOfItsVolumes) {

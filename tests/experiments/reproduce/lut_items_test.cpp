@@ -1,8 +1,10 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
+#include "experiments/reproduce/lut/counting_steps.h"
 #include "experiments/reproduce/lut/lut_tools.h"
 
 namespace plenolab {
@@ -99,6 +101,59 @@ TEST(LutItems, AFrameThatShowsOneVolumeOnlyIsThatVolumesToThePixel) {
     EXPECT_EQ(score.ahead, static_cast<int>(most - score.pixel.volumes.begin()));
     EXPECT_LT(score.of(BlendMethod::kPixel, GradeReference::kAhead), 1e-3);
     EXPECT_LT(score.of(BlendMethod::kPixel, GradeReference::kByPixel), 1e-2);
+  }
+}
+
+TEST(LutItems, TheTableOfTimesBlendsSeveralTablesAndNamesItsSize) {
+  const ReproductionResult& result = result_of("zhao-table-3");
+  // A tiny run's frames have no printed times to be set beside.
+  EXPECT_TRUE(values_of("zhao-table-3", "printed_over_ours", "480 × 270").empty());
+  EXPECT_NE(result.ours_shows.find("480 × 270"), std::string::npos) << result.ours_shows;
+  EXPECT_EQ(values_of("zhao-table-3", "largest_weight_error", "480 × 270").size(), 3u);
+  WalkBench& bench = laboratory().walk_bench();
+  const WalkFrame frame = timed_frame(bench, true);
+  const VolumeWeights weights = pixel_weights(
+      count_pixels(frame.depth_m, frame.pose.camera, bench.stage().volumes()), bench.stage().volumes());
+  EXPECT_GE(std::ranges::count_if(weights.volumes, [](double w) { return w > 0; }), 2);
+  const std::vector<FrameStep> steps = other_steps(bench, frame);
+  EXPECT_TRUE(
+      std::ranges::any_of(steps, [](const FrameStep& s) { return s.what.starts_with("of 3 tables"); }));
+}
+
+TEST(LutItems, CaptionsSayWhatThePicturesHold) {
+  WalkBench& bench = laboratory().walk_bench();
+  const auto comparisons_of = [](const std::string& id) {
+    std::vector<ImageComparison> found;
+    for (const ReportBlock& block : result_of(id).blocks)
+      if (const auto* comparison = std::get_if<ImageComparison>(&block)) found.push_back(*comparison);
+    return found;
+  };
+  const std::string frames = fmt::format("{} of {} frames", bench.frames().size(), bench.frames().size());
+  ASSERT_EQ(comparisons_of("zhao-fig-24").size(), 1u);
+  EXPECT_NE(comparisons_of("zhao-fig-24").front().caption.find(frames), std::string::npos)
+      << "all of a tiny walk";
+  const std::vector<ImageComparison> turns = comparisons_of("zhao-fig-25");
+  ASSERT_EQ(turns.size(), 4u);
+  EXPECT_EQ(turns.front().alt, "The three frames of a turn on the spot, graded in three ways.");
+  for (const ImageComparison& turn : turns) {
+    EXPECT_TRUE(turn.images.at(0).label.ends_with("inear")) << turn.images.at(0).label;
+    EXPECT_TRUE(turn.images.at(1).label.ends_with("ixel-based"));
+  }
+  // The end of the first turn looks back through the door of the corridor.
+  EXPECT_NE(turns.at(1).caption.find("the end of the turn, which looks into the corridor"), std::string::npos)
+      << turns.at(1).caption;
+}
+
+TEST(LutItems, AboutAHundredTimesHasTwoEnds) {
+  for (const LedgerEntry& entry : result_of("zhao-claim-z6").ledger) {
+    const Verdict& verdict = entry.verdict;
+    ASSERT_TRUE(verdict.interval.has_value());
+    const bool inside = verdict.interval->low > 50 && verdict.interval->high < 200,
+               outside = verdict.interval->high < 50 || verdict.interval->low > 200;
+    EXPECT_EQ(verdict.outcome, inside    ? Outcome::kConfirmed
+                               : outside ? Outcome::kRefuted
+                                         : Outcome::kUndecided)
+        << entry.claim.id;
   }
 }
 
