@@ -90,7 +90,7 @@ TEST_F(MetricCommand, SeesWhatTheViewerSees) {
   EXPECT_NE(value_of(rows_of(base), "drim_mean_total"), value_of(rows_of(dim), "drim_mean_total"));
   expect_one_clear_sentence(run_program({"metric", "--ref", scene_, "--test", picture_, "--metric", "drim",
                                          "--display-black", "400"}),
-                            "below the peak");
+                            "--display-black 400 must be below", 2);
 }
 
 TEST_F(MetricCommand, WritesMapsWithTheSameNumbers) {
