@@ -13,6 +13,7 @@
 #include "experiments/cli/checks.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/suggest.h"
+#include "experiments/cli/viewing_options.h"
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
@@ -50,7 +51,7 @@ std::vector<std::string> scene_names() {
 }
 
 /// The cameras of the middle row as views, as far apart as they stood.
-ShownField views_of(const LightField& field, int threads) {
+ShownField views_of(const LightField& field, double cd_m2_per_unit, int threads) {
   const ViewGrid& grid = field.grid();
   const double half = grid.columns * grid.spacing_x_m / 2;
   MultiViewDisplayOptions options{.views = grid.columns, .width = grid.width, .height = grid.height};
@@ -58,9 +59,24 @@ ShownField views_of(const LightField& field, int threads) {
   options.space.x_max_m = half;
   auto display = std::make_shared<const MultiViewDisplay>(options);
   SceneRays rays(display->size());
-  for (int column = 0; column < grid.columns; ++column)
-    set_image(rays, column, field.view(column, grid.rows / 2)->colour);
-  return show_rays(field.name(), std::move(display), std::move(rays), threads);
+  const auto scale = static_cast<float>(cd_m2_per_unit > 0 ? cd_m2_per_unit : 1);
+  for (int column = 0; column < grid.columns; ++column) {
+    SceneImage view = field.view(column, grid.rows / 2)->colour;
+    for (Rgb& c : view.pixels()) c = c * scale;
+    set_image(rays, column, view);
+  }
+  ShownField shown = show_rays(field.name(), std::move(display), std::move(rays), threads);
+  shown.unit = cd_m2_per_unit > 0 ? RadianceUnit::kCdM2 : field.unit();
+  return shown;
+}
+
+/// Displays on a plane have the square of the samples.
+void require_samples_of(const DisplayOptions& options) {
+  try {
+    observer_samples(*make_display(options), options);
+  } catch (const InputError& error) {
+    throw UsageError(fmt::format("--samples: {}", error.what()));
+  }
 }
 
 }  // namespace
@@ -77,6 +93,7 @@ void add_display_options(CLI::App& app, DisplayOptions& options) {
   app.add_option("--samples", options.samples,
                  "Samples along the observers' line (default for projectors: 200, for full and paper 1000)")
       ->check(whole_number(1, 1'000'000));
+  add_luminance_scale_option(app, options.cd_m2_per_unit, "without a statement, luminance is relative");
 }
 
 std::shared_ptr<const RayDisplay> make_display(const DisplayOptions& options) {
@@ -106,6 +123,9 @@ void require_field_source(const std::string& source, const DisplayOptions& optio
   }
   if (!scene && options.kind != "projectors")
     throw UsageError("--display is for scenes: a folder brings its own display");
+  if (scene && options.cd_m2_per_unit > 0)
+    throw UsageError("--cd-m2-per-unit is for folders: scenes are in cd/m²");
+  if (scene) require_samples_of(options);
 }
 
 ShownField open_field(const std::string& source, const DisplayOptions& options,
@@ -114,11 +134,12 @@ ShownField open_field(const std::string& source, const DisplayOptions& options,
   if (std::find(names.begin(), names.end(), source) != names.end())
     return show_scene(build_display_scene(source), make_display(options), rendering);
   if (is_display_folder(source)) {
-    DisplayFolder folder = read_display_folder(source);
+    const double scale = options.cd_m2_per_unit;
+    DisplayFolder folder = read_display_folder(source, scale > 0 ? std::optional(scale) : std::nullopt);
     return show_rays(source, std::make_shared<const ProjectorDisplay>(folder.display), std::move(folder.rays),
                      rendering.threads);
   }
-  return views_of(open_radiance(source), rendering.threads);
+  return views_of(open_radiance(source), options.cd_m2_per_unit, rendering.threads);
 }
 
 }  // namespace plenolab

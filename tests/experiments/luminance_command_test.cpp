@@ -5,9 +5,11 @@
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "core/base/file.h"
 #include "core/io/image_file.h"
+#include "core/io/white_luminance.h"
 #include "core/luminance/display_folder.h"
 #include "experiments/luminance_field.h"
 #include "experiments/sweep_luminance.h"
@@ -155,6 +157,116 @@ TEST(LuminanceCommand, SaysThatNothingIsBrightEnoughInsteadOfComparingBlackPictu
   EXPECT_EQ(rows.count("luminance_max_cd_m2 spread"), 0u);
 }
 
+/// A folder of three projectors that show one grey each, its images with or without whiteLuminance.
+std::filesystem::path grey_display(const std::filesystem::path& folder, float value,
+                                   std::optional<double> white_cd_m2 = std::nullopt) {
+  const ProjectorDisplay display({.projectors = 3, .width = 8, .height = 4});
+  SceneRays rays(display.size());
+  for (int k = 0; k < 3; ++k)
+    for (int u = 0; u < 8; ++u)
+      for (int v = 0; v < 4; ++v) rays.at({k, u, v}) = {value, value, value};
+  write_display_folder(folder, display, rays);
+  if (white_cd_m2)
+    for (int k = 0; k < 3; ++k)
+      write_scene_image(folder / ("projector-00" + std::to_string(k) + ".exr"), image_of(rays, k),
+                        *white_cd_m2);
+  return folder;
+}
+
+/// Notes of a result file, one after the other.
+std::string notes_of(const std::string& json) {
+  std::string notes;
+  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
+  for (const auto& row : results["rows"])
+    if (row["quantity"] == "note") notes += row["note"].get<std::string>() + "\n";
+  return notes;
+}
+
+TEST(LuminanceCommand, KeepsRelativeRadianceApartFromCandela) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string(), out = (folder.path() / "out").string();
+  const std::filesystem::path plane = written_plane(folder.path() / "plane");
+  std::string description = read_text_file(plane / "lightfield.json");
+  const auto radiance = description.find("\"cd/m2\"");
+  if (radiance != std::string::npos)
+    write_text_file(plane / "lightfield.json", description.replace(radiance, 7, "\"relative\""));
+  const auto run = run_program({"luminance", plane.string(), "-o", out, "--json", json});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out.find("cd/m²"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("[relative]"), std::string::npos) << run.out;
+  EXPECT_NE(notes_of(json).find("relative"), std::string::npos);
+  const auto relative = rows_of(json);
+  EXPECT_EQ(relative.count("luminance_min_cd_m2 all"), 0u);
+  EXPECT_FALSE(white_luminance(out + "/perceived-centre.exr"));
+  EXPECT_EQ(read_text_file(out + "/samples.csv").find("cd/m"), std::string::npos);
+
+  const auto scaled = run_program({"luminance", plane.string(), "--cd-m2-per-unit", "50", "-o", out,
+                                   "--force", "--epsilon", "0.005", "--json", json});
+  ASSERT_EQ(scaled.status, 0) << scaled.err;
+  EXPECT_NEAR(rows_of(json).at("luminance_min_cd_m2 all"), 50 * relative.at("luminance_min_relative all"),
+              1e-3 * 50 * relative.at("luminance_min_relative all"));
+  EXPECT_EQ(white_luminance(out + "/perceived-centre.exr"), 1);
+}
+
+TEST(LuminanceCommand, TakesTheScaleOfProjectorImagesFromThemOrTheUser) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string();
+  const std::string plain = grey_display(folder.path() / "plain", 2).string(),
+                    white = grey_display(folder.path() / "white", 2, 25.0).string();
+  const auto least = [&](std::vector<std::string> arguments) {
+    arguments.insert(arguments.end(), {"--json", json});
+    const auto run = run_program(arguments);
+    EXPECT_EQ(run.status, 0) << run.err;
+    return rows_of(json).at("luminance_min_cd_m2 all");
+  };
+  EXPECT_NEAR(least({"luminance", plain}), 2, 1e-5);
+  EXPECT_NEAR(least({"luminance", white}), 50, 1e-3);
+  EXPECT_NEAR(least({"luminance", white, "--cd-m2-per-unit", "3"}), 6, 1e-4);
+}
+
+TEST(LuminanceCommand, SaysWhomTheDisplayDoesNotReach) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string(), out = (folder.path() / "out").string();
+  const std::string grey = grey_display(folder.path() / "grey", 2).string();
+  const auto far = run_program({"luminance", grey, "--observers", "200", "-o", out, "--json", json});
+  ASSERT_EQ(far.status, 0) << far.err;
+  const auto rows = rows_of(json);
+  EXPECT_EQ(rows.at("unlit_share all"), 1);
+  EXPECT_EQ(rows.count("luminance_cd_m2 all"), 0u);
+  EXPECT_EQ(rows.count("psnr_on_result_db all"), 0u);
+  EXPECT_NE(notes_of(json).find("200 m"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(out + "/perceived-200m.exr"));
+
+  const auto near =
+      run_program({"luminance", "sphere", "--preset", "quick", "--observers", "0,8", "--json", json});
+  ASSERT_EQ(near.status, 0) << near.err;
+  EXPECT_EQ(rows_of(json).at("unlit_share all"), 0);
+  EXPECT_NE(notes_of(json).find("at 8 m"), std::string::npos) << notes_of(json);
+  EXPECT_EQ(notes_of(json).find("at 0 m"), std::string::npos);
+  EXPECT_NE(near.out.find("unlit share"), std::string::npos);
+}
+
+TEST(LuminanceCommand, TellsWhatItRepairedAndCut) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string();
+  const std::filesystem::path display = grey_display(folder.path() / "display", 2);
+  SceneImage image(8, 4);
+  for (Rgb& c : image.pixels()) c = {0, 0, 1000};
+  image.at(3, 1).r = std::numeric_limits<float>::quiet_NaN();
+  write_scene_image(display / "projector-001.exr", image);
+  const auto run = run_program({"luminance", display.string(), "--json", json});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(rows_of(json).at("repaired_values "), 1);
+  EXPECT_GT(rows_of(json).at("clipped_high all"), 0);
+  EXPECT_NE(run.out.find("1 not a number"), std::string::npos) << run.out;
+  EXPECT_NE(run.out.find("to white"), std::string::npos) << run.out;
+
+  const auto clean =
+      run_program({"luminance", grey_display(folder.path() / "clean", 2).string(), "--json", json});
+  EXPECT_EQ(rows_of(json).at("repaired_values "), 0);
+  EXPECT_EQ(notes_of(json), "") << clean.out;
+}
+
 TEST(LuminanceCommand, TellsWrongUseInASentence) {
   expect_one_clear_sentence(run_program({"luminance", "spere"}), "sphere", 2);
   expect_one_clear_sentence(run_program({"luminance", "no/where"}), "does not exist");
@@ -164,6 +276,15 @@ TEST(LuminanceCommand, TellsWrongUseInASentence) {
                             "--smoothed", 2);
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--observers", "left"}), "--observers", 2);
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--display-images"}), "-o", 2);
+  expect_one_clear_sentence(run_program({"luminance", "sphere", "--method", "all,all"}), "--method", 2);
+  for (const char* twice : {"0,0", "-0,0", "1,2,1"})
+    expect_one_clear_sentence(run_program({"luminance", "sphere", "--observers=" + std::string(twice)}),
+                              "--observers", 2);
+  expect_one_clear_sentence(
+      run_program({"luminance", "sphere", "--display", "full-parallax", "--samples", "4000"}), "--samples",
+      2);
+  expect_one_clear_sentence(run_program({"luminance", "sphere", "--cd-m2-per-unit", "3"}), "--cd-m2-per-unit",
+                            2);
 }
 
 }  // namespace
