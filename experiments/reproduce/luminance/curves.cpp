@@ -29,11 +29,12 @@ ReportPlot estimate_plot(LuminanceBench& bench, const std::string& id) {
   }
   PlotSeries truth{"of the true picture", PlotSeries::Style::kPoints, {}};
   const auto& scores = bench.scores(id);
+  const GlobalLuminance& brute = bench.estimate(id, bench.method_options(LuminanceMethod::kBruteForce));
   for (std::size_t i = 0; i < scores.x_m.size(); ++i)
-    if (const auto ln =
-            bench.estimate(id, bench.method_options(LuminanceMethod::kBruteForce)).ln_at({scores.x_m[i], 0}))
-      truth.points.push_back({scores.x_m[i], std::exp(*ln - scores.ln_error[kOfBruteForce][i])});
-  plot.series.push_back(std::move(truth));
+    if (const auto ln = difference(brute.ln_at({scores.x_m[i], 0}), scores.ln_error[kOfBruteForce][i]))
+      truth.points.push_back({scores.x_m[i], std::exp(*ln)});
+  // A scene without any pixel above ε has no such points.
+  if (!truth.points.empty()) plot.series.push_back(std::move(truth));
   return {
       plot, fmt::format("Estimated luminance along the observers' line, scene {}", bench.title(id)),
       "A level line for All; BruteForce, Accumulative and Spread follow the luminance of the true picture."};
@@ -58,23 +59,19 @@ std::string curve_sentence(LuminanceBench& bench, const std::string& id, Reprodu
   return text + " cd/m².";
 }
 
-double rms(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double v : values) squares += v * v;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 /// RMS distance in ln from the log average of the true pictures, by method.
 std::string truth_sentence(LuminanceBench& bench, const std::string& id, ReproductionResult& result) {
   std::string text = bench.title(id);
   const auto& errors = bench.scores(id).ln_error;
   for (std::size_t m = 0; m < errors.size(); ++m) {
-    const double error = rms(errors[m]);
+    const std::optional<double> error = rms_of_defined(errors[m]);
+    text += fmt::format("{} {} {}", m == 0 ? ":" : ",", paper_name(bench.methods()[m]),
+                        error ? fmt::format("{:.3f}", *error) : "undefined");
+    if (!error) continue;
     result.rows.add({"ln_rms_to_truth",
-                     error,
+                     *error,
                      "1",
                      {{"scene", id}, {"method", std::string(name_of(bench.methods()[m]))}}});
-    text += fmt::format("{} {} {:.3f}", m == 0 ? ":" : ",", paper_name(bench.methods()[m]), error);
   }
   return text;
 }

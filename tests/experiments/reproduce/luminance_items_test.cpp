@@ -51,8 +51,8 @@ TEST(LuminanceItems, EveryClaimOfThePaperHasAVerdict) {
       ids.push_back(claim.claim.id);
       EXPECT_FALSE(claim.verdict.explanation.empty()) << claim.claim.id;
     }
-  EXPECT_EQ(ids, (std::vector<std::string>{"D-1", "D-2a", "D-2b", "D-3", "D-4a", "D-4b", "D-5", "D-6", "D-7a",
-                                           "D-7b", "D-7c"}));
+  EXPECT_EQ(ids, (std::vector<std::string>{"D-1a", "D-1b", "D-2a", "D-2b", "D-3a", "D-3b", "D-4a", "D-4b",
+                                           "D-5", "D-6", "D-7a", "D-7b", "D-7c"}));
 }
 
 TEST(LuminanceItems, SpreadEqualsBruteForceWhereNeighboursAgree) {
