@@ -45,9 +45,8 @@ void print_exhibits() {
   for (const Paper& paper : papers()) {
     fmt::print("\n{}, {}\n", paper.name, paper.title);
     for (const Exhibit& e : paper.exhibits) {
-      const bool reproduced = e.status != ExhibitStatus::kNotReproducible;
       fmt::print("  {:<11} {:<46} {:<22} {}{}{}\n", e.name, e.shows, name_of(e.status), e.item,
-                 reproduced && *e.note ? ": " : "", e.note);
+                 *e.item && *e.note ? ": " : "", e.note);
     }
   }
 }
@@ -67,7 +66,7 @@ void list(const Invocation& invocation, const CommonOptions& options) {
   for (const Paper& paper : papers())
     for (const Exhibit& e : paper.exhibits)
       table.add({"reproduced",
-                 e.status == ExhibitStatus::kNotReproducible ? 0.0 : 1.0,
+                 *e.item ? 1.0 : 0.0,
                  "1",
                  {{"paper", std::string(paper.name)},
                   {"exhibit", std::string(e.name)},
@@ -173,8 +172,10 @@ void run_reproduce(const Invocation& invocation, const ReproduceOptions& options
 void add_reproduce_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ReproduceOptions>();
   app.add_option("ids", options->ids, "What to reproduce, or all (default: all), see --list");
-  app.add_flag("--list", options->list,
-               "List what can be reproduced, and what became of every figure and table of the papers");
+  app.add_flag(
+      "--list", options->list,
+      "List what can be reproduced, and what became of every figure and table of the papers: recomputed, "
+      "re-run, a diagram (with what is measured in its place) or not reproducible");
   app.add_option(
          "-o,--out", options->out,
          "Folder for the report and its figures (default: results/reproduce, for one item results/ID)")

@@ -7,7 +7,7 @@
 namespace plenolab {
 
 const char* name_of(ExhibitStatus status) {
-  static constexpr std::array kNames{"recomputed", "re-run on our stimuli", "not reproducible"};
+  static constexpr std::array kNames{"recomputed", "re-run on our stimuli", "diagram", "not reproducible"};
   return kNames[static_cast<std::size_t>(status)];
 }
 

@@ -26,10 +26,32 @@ TEST(Exhibits, WhatIsReproducedNamesAnItemAndWhatIsNotSaysWhy) {
       if (e.status == ExhibitStatus::kNotReproducible) {
         EXPECT_STREQ(e.item, "") << which;
         EXPECT_STRNE(e.note, "") << which;
+      } else if (e.status == ExhibitStatus::kDiagram) {
+        EXPECT_TRUE(*e.item == '\0' || ids.contains(e.item)) << which << " names " << e.item;
+        EXPECT_STRNE(e.note, "") << which;
       } else {
         EXPECT_TRUE(ids.contains(e.item)) << which << " names " << e.item;
       }
     }
+}
+
+TEST(Exhibits, DrawingsAreCalledDiagramsAndNothingElse) {
+  const std::map<std::string, std::set<std::string>> diagrams{
+      {"Altmeier 2018", {"Figure 2", "Figure 12", "Figure 13", "Figure 14", "Figure 15", "Figure 20"}},
+      {"Doronin & Barsi", {"Figure 1"}},
+      {"Hansen & Klein 2016",
+       {"Figure 3.1", "Figure 3.4", "Figure 3.5", "Figure 3.6", "Figure 3.9", "Figure C.1", "Figure C.2",
+        "Figure G.1", "Figure G.2"}},
+      {"Hansen, Klein & Kraus", {"Figure 1", "Figure 2", "Figure 3"}},
+      {"Zhao 2019", {"Figure 8", "Figure 14", "Figure 18", "Figure 19", "Figure 20"}}};
+  for (const Paper& paper : papers()) {
+    std::set<std::string> called;
+    for (const Exhibit& e : paper.exhibits) {
+      if (e.status == ExhibitStatus::kDiagram) called.insert(e.name);
+      EXPECT_EQ(std::string(e.note).find("diagram"), std::string::npos) << paper.name << " " << e.name;
+    }
+    EXPECT_EQ(called, diagrams.at(paper.name)) << paper.name;
+  }
 }
 
 TEST(Exhibits, EveryItemOfAFigureOrTableIsNamedByAnExhibit) {
