@@ -26,7 +26,8 @@ TEST(SpikinessVerdict, RenderedAgainstRenderedDecidesNothingAboutPhotographs) {
 TEST(SpikinessVerdict, IsDecidedByTheDifferenceOnceThereIsAPhotograph) {
   EXPECT_EQ(verdict({source(0.3, true), source(0.31, false), source(0.29, false)}).outcome,
             Outcome::kConfirmed);
-  EXPECT_EQ(verdict({source(0.9, true), source(0.91, false), source(0.89, false)}).outcome, Outcome::kRefuted);
+  EXPECT_EQ(verdict({source(0.9, true), source(0.91, false), source(0.89, false)}).outcome,
+            Outcome::kRefuted);
 }
 
 }  // namespace

@@ -58,6 +58,24 @@ TEST(TuningItems, AllSayWhatThePaperAndWeShowAndEveryClaimHasAVerdict) {
                                               "Z-3c"}));
 }
 
+TEST(TuningItems, MoreSkyInTheFrameChangesHowASurfaceIsShown) {
+  Laboratory laboratory = small_laboratory();
+  const ReproductionResult flicker = select_reproductions({"zhao-fig-9"}).front()->run(laboratory);
+  std::vector<double> sky, average, luma;
+  for (const ResultRow& row : flicker.rows.rows()) {
+    if (row.quantity == "sky_share") sky.push_back(row.value);
+    if (row.quantity == "log_average_cd_m2") average.push_back(row.value);
+    if (row.quantity == "surface_luma") luma.push_back(row.value);
+  }
+  ASSERT_EQ(sky.size(), 9u);
+  for (std::size_t f = 1; f < sky.size(); ++f) {
+    EXPECT_GE(sky[f], sky[f - 1]) << "the camera tilts up";
+    // The photographic operator: a larger average shows the same luminance darker.
+    EXPECT_EQ(average[f] > average[f - 1], luma[f] < luma[f - 1]) << f;
+  }
+  EXPECT_GT(value_of(flicker, "largest_step_luma"), 0);
+}
+
 TEST(TuningItems, TheAuditFindsTheSlipsOfThePrintedTable) {
   Laboratory laboratory = small_laboratory();
   const ReproductionResult audit = select_reproductions({"zhao-audit-table-2"}).front()->run(laboratory);
