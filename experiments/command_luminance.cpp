@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "core/base/error.h"
@@ -29,26 +30,31 @@ struct LuminanceCommandOptions {
   RayReinhardOptions reinhard;
 };
 
+/// Height of an observer of whom only x is given.
+constexpr double kMiddleRow = std::numeric_limits<double>::quiet_NaN();
+
 /// Methods and observers, as asked for.
 struct Plan {
   std::vector<LuminanceOptions> methods;
-  std::vector<double> observers_m;  ///< empty: three of the display's range
+  std::vector<NamedObserver> observers;  ///< empty: three of the display's range
 };
 
-std::vector<double> numbers_of(const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string& part : split_list(text)) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(part.c_str(), &end));
-    if (end == part.c_str() || *end != '\0' || !std::isfinite(numbers.back()))
-      throw UsageError(fmt::format("--observers: give positions in metres, e.g. -4,0,4, not '{}'", text));
-  }
-  return numbers;
+double metres(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != '\0' || !std::isfinite(value))
+    throw UsageError(
+        fmt::format("--observers: give positions in metres, e.g. -4,0,4, or X:Y on a plane, not '{}'", text));
+  return value == 0 ? 0 : value;  // not -0
 }
 
-/// How files name a position.
-std::string position_name(double x_m) {
-  return fmt::format("{:g}m", x_m == 0 ? 0 : x_m);
+/// A position with the name that files have of it.
+NamedObserver observer_named(const std::string& text) {
+  const auto colon = text.find(':');
+  const double x = metres(text.substr(0, colon));
+  if (colon == std::string::npos) return {fmt::format("{:g}m", x), {x, kMiddleRow}};
+  const double y = metres(text.substr(colon + 1));
+  return {fmt::format("{:g}m-{:g}m", x, y), {x, y}};
 }
 
 /// Results would replace each other.
@@ -88,23 +94,50 @@ Plan plan_of(const LuminanceCommandOptions& options) {
   if (options.smoothed &&
       std::none_of(plan.methods.begin(), plan.methods.end(), [](const auto& m) { return m.smoothed; }))
     throw UsageError("--smoothed is for the method accumulative");
-  plan.observers_m = numbers_of(options.observers);
   std::vector<std::string> positions;
-  for (const double x : plan.observers_m) positions.push_back(position_name(x));
+  for (const std::string& text : split_list(options.observers)) {
+    plan.observers.push_back(observer_named(text));
+    positions.push_back(plan.observers.back().name);
+  }
   require_different(std::move(positions), "--observers", "position");
   return plan;
 }
 
-std::vector<NamedObserver> observers_of(const Plan& plan, const DisplaySpace& space) {
+/// Three of the range. Displays with separate positions are looked at from the nearest of these: between two,
+/// the picture of neither is what the scene shows there.
+std::vector<NamedObserver> default_observers(const RayDisplay& display) {
+  const DisplaySpace& space = display.space();
+  const double middle = (space.x_min_m + space.x_max_m) / 2, half = (space.x_max_m - space.x_min_m) / 2,
+               y = (space.y_min_m + space.y_max_m) / 2;
+  const bool projectors = dynamic_cast<const ProjectorDisplay*>(&display) != nullptr;
+  const ObserverSamples positions = observer_samples(display, {});
   std::vector<NamedObserver> observers;
-  const double y = (space.y_min_m + space.y_max_m) / 2;
-  if (!plan.observers_m.empty()) {
-    for (const double x : plan.observers_m) observers.push_back({position_name(x), {x, y}});
-    return observers;
+  for (const auto& [name, side] : {std::pair{"centre", 0.0}, {"left", -0.8}, {"right", 0.8}}) {
+    ObserverPosition at{middle + side * half, y};
+    if (!projectors) at = positions.position(positions.nearest(at));
+    const bool taken = std::any_of(observers.begin(), observers.end(),
+                                   [&](const NamedObserver& other) { return other.position.x_m == at.x_m; });
+    if (!taken) observers.push_back({name, at});
   }
-  const double middle = (space.x_min_m + space.x_max_m) / 2, half = (space.x_max_m - space.x_min_m) / 2;
-  for (const auto& [name, side] : {std::pair{"left", -0.8}, {"centre", 0.0}, {"right", 0.8}})
-    observers.push_back({name, {middle + side * half, y}});
+  std::sort(observers.begin(), observers.end(),
+            [](const NamedObserver& a, const NamedObserver& b) { return a.position.x_m < b.position.x_m; });
+  return observers;
+}
+
+std::vector<NamedObserver> observers_of(const Plan& plan, const RayDisplay& display) {
+  if (plan.observers.empty()) return default_observers(display);
+  const DisplaySpace& space = display.space();
+  const ObserverSamples positions = observer_samples(display, {});
+  const double middle = (space.y_min_m + space.y_max_m) / 2;
+  const int row = positions.nearest({positions.position(0).x_m, middle});
+  std::vector<NamedObserver> observers = plan.observers;
+  for (NamedObserver& observer : observers) {
+    if (std::isnan(observer.position.y_m))
+      observer.position.y_m = space.on_a_plane() ? positions.position(row).y_m : middle;
+    else if (!space.on_a_plane())
+      throw UsageError(
+          "--observers: X:Y is for displays with full parallax; others have a line of observers");
+  }
   return observers;
 }
 
@@ -120,7 +153,7 @@ void require_display_images(const LuminanceCommandOptions& options) {
 LuminancePlan full_plan(const LuminanceCommandOptions& options, const Plan& plan, const ShownField& field) {
   return {.source = options.source,
           .methods = plan.methods,
-          .observers = observers_of(plan, field.display->space()),
+          .observers = observers_of(plan, *field.display),
           .samples = observer_samples(*field.display, options.display),
           .average = options.average,
           .reinhard = options.reinhard,
@@ -129,8 +162,10 @@ LuminancePlan full_plan(const LuminanceCommandOptions& options, const Plan& plan
 }
 
 void record_options(Provenance& provenance, const LuminanceCommandOptions& options, const ShownField& field) {
-  provenance.parameters["display"] = options.display.kind;
-  provenance.parameters["preset"] = options.display.preset;
+  if (is_display_scene(options.source)) {
+    provenance.parameters["display"] = options.display.kind;
+    provenance.parameters["preset"] = options.display.preset.empty() ? "small" : options.display.preset;
+  }
   provenance.parameters["epsilon_" + luminance_unit(field).suffix] = options.average.epsilon;
   provenance.parameters["key"] = options.reinhard.key;
   if (options.display.cd_m2_per_unit > 0)
@@ -183,8 +218,10 @@ void add_luminance_command(CLI::App& app, const Invocation& invocation) {
       ->required();
   add_method_options(app, *options);
   add_display_options(app, options->display);
-  app.add_option("--observers", options->observers,
-                 "Positions in metres that are looked from (default: left, centre and right of the range)");
+  app.add_option(
+      "--observers", options->observers,
+      "Positions in metres that are looked from, X or, for full parallax, X:Y (default: left, centre and "
+      "right of the range, for displays with separate views the nearest of these)");
   app.add_option("-o,--out", options->out, "Folder for views, plot and samples.csv")->check(not_empty());
   app.add_flag("--display-images", options->images, "Also write the projectors' images, with display.json");
   add_force_option(app, options->force);

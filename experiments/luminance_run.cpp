@@ -77,6 +77,7 @@ void look_at(Run& run, const NamedObserver& observer, std::size_t method, const 
   ResultTable& rows = run.results.rows;
   Columns columns = run.columns(options);
   columns.emplace_back("observer_x_m", observer.position.x_m);
+  if (run.field.display->space().on_a_plane()) columns.emplace_back("observer_y_m", observer.position.y_m);
   rows.add({"unlit_share", references.unlit_share, "1", columns});
   if (references.unlit_share >= 1) return;
   const auto ln = run.estimates[method].luminance.ln_at(observer.position);
@@ -122,8 +123,18 @@ void look(Run& run, const NamedObserver& observer, const std::vector<DisplayRays
                       expose(hdr, exposure_from(hdr)));
 }
 
+/// Displays with full parallax have many rows of samples, of which curves are the middle one.
+std::string row_shown(const Run& run) {
+  const ObserverSamples& samples = run.plan.samples;
+  if (samples.rows == 1) return "";
+  const int row = samples.rows / 2;
+  return fmt::format("row {} of {} of the observers' plane, y = {:g} m", row + 1, samples.rows,
+                     samples.position(row * samples.columns).y_m);
+}
+
 Plot line_plot(const Run& run) {
   Plot plot;
+  if (const std::string row = row_shown(run); !row.empty()) plot.title = "Only " + row;
   plot.x = {.title = "Position on the observer line", .unit = "m"};
   plot.y = {.title = "Luminance adapted to", .unit = run.unit.name, .logarithmic = true};
   plot.key = KeyPosition::kOutside;
@@ -192,6 +203,11 @@ LuminanceResults run_luminance_plan(const ShownField& field, const LuminancePlan
         fmt::format("No ray of {} that counts is above {:g}{}: its luminance is undefined, its pictures "
                     "are black.",
                     plan.source, plan.average.epsilon, field.unit == RadianceUnit::kCdM2 ? " cd/m²" : ""));
+  if (const std::string row = row_shown(run); !row.empty())
+    run.note(
+        fmt::format("The curve of the plot and the variation of ln are those of {}; least and most are over "
+                    "all rows.",
+                    row));
   write_files(run, folder);
   return std::move(run.results);
 }
@@ -205,6 +221,8 @@ std::string luminance_tables(const ShownField& field, const LuminanceResults& re
   if (std::any_of(rows.begin(), rows.end(),
                   [](const ResultRow& row) { return row.quantity == "unlit_share" && row.value > 0; }))
     of_observers.push_back({"unlit_share", "unlit share"});
+  std::vector<std::string> observer_keys{"method", "observer_x_m"};
+  if (field.display->space().on_a_plane()) observer_keys.emplace_back("observer_y_m");
   return fmt::format("{}\n{}",
                      to_wide_text(results.rows, {"source", "method"},
                                   {{"luminance_min_" + unit.suffix, fmt::format("least [{}]", unit.name)},
@@ -213,7 +231,7 @@ std::string luminance_tables(const ShownField& field, const LuminanceResults& re
                                    {"undefined_samples", "undefined"},
                                    {"samples", "samples"},
                                    {"seconds", "seconds"}}),
-                     to_wide_text(results.rows, {"method", "observer_x_m"}, of_observers));
+                     to_wide_text(results.rows, observer_keys, of_observers));
 }
 
 }  // namespace plenolab

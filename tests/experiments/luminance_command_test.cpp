@@ -1,11 +1,14 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <limits>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "core/base/file.h"
 #include "core/io/image_file.h"
@@ -82,17 +85,58 @@ TEST(LuminanceField, MeasuresRangeAndVariationOfACurve) {
   EXPECT_EQ(measure_curve({}).range, 0);
 }
 
-TEST(LuminanceSweep, ErrorsFallWithSamplesAndTheFinestBruteForceIsTheReference) {
-  const ResultTable rows = sweep_luminance(small_field("sphere"), {.runs = 1, .threads = 2, .progress = {}});
-  std::map<std::string, double> error;
+/// Values of a quantity of a sweep by "method pinhole samples".
+std::map<std::string, double> by_setting(const ResultTable& rows, const std::string& quantity) {
+  std::map<std::string, double> values;
   for (const ResultRow& row : rows.rows())
-    if (row.quantity == "rms_error")
-      error[std::get<std::string>(row.columns[1].second) + " " +
-            std::get<std::string>(row.columns[2].second) + " " +
-            std::to_string(std::get<long long>(row.columns[3].second))] = row.value;
-  EXPECT_LT(error.at("brute-force 40x22 10000"), 1e-9);
+    if (row.quantity == quantity)
+      values[std::get<std::string>(row.columns[1].second) + " " +
+             std::get<std::string>(row.columns[2].second) + " " +
+             std::to_string(std::get<long long>(row.columns[3].second))] = row.value;
+  return values;
+}
+
+TEST(LuminanceSweep, ErrorsFallWithSamplesAndTheReferenceIsNotComparedWithItself) {
+  const ResultTable rows = sweep_luminance(small_field("sphere"), {.runs = 1, .threads = 2, .progress = {}});
+  const auto error = by_setting(rows, "rms_error"), front = by_setting(rows, "on_pareto_front"),
+             to_scene = by_setting(rows, "rms_error_to_scene"),
+             front_to_scene = by_setting(rows, "on_pareto_front_to_scene");
+  const std::string reference = "brute-force 40x22 10000";
+  EXPECT_EQ(error.count(reference) + front.count(reference), 0u);
+  EXPECT_EQ(to_scene.count(reference) + front_to_scene.count(reference), 2u);
+  EXPECT_EQ(front.size(), 27u);
   EXPECT_LT(error.at("brute-force 40x22 1000"), error.at("brute-force 40x22 10"));
   EXPECT_LT(error.at("spread  1000"), error.at("accumulative  1000"));
+  // The least error is on its front.
+  for (const auto& [errors, fronts] : {std::pair{&error, &front}, std::pair{&to_scene, &front_to_scene}}) {
+    const auto least = std::min_element(errors->begin(), errors->end(),
+                                        [](const auto& a, const auto& b) { return a.second < b.second; });
+    EXPECT_EQ(fronts->at(least->first), 1) << least->first;
+  }
+}
+
+TEST(LuminanceSweep, PlotsBothTruthsWithLabelsApart) {
+  const ResultTable rows = sweep_luminance(small_field("sphere"), {.runs = 1, .threads = 2, .progress = {}});
+  for (const LuminanceTruth truth : {LuminanceTruth::kBruteForce, LuminanceTruth::kScene}) {
+    const Plot plot = plot_luminance_sweep(rows, truth);
+    ASSERT_EQ(plot.series.size(), 7u);
+    EXPECT_EQ(plot.series[3].title, "accumulative");
+    std::size_t points = 0, labels = 0;
+    for (const PlotSeries& series : plot.series) {
+      points += series.points.size();
+      for (const PlotPoint& p : series.points) {
+        labels += p.label.empty() ? 0 : 1;
+        EXPECT_GT(p.y, 1e-12);
+      }
+    }
+    EXPECT_GE(points, 26u);
+    EXPECT_GT(labels, 3u);
+    EXPECT_LT(labels, points);
+  }
+  const SceneRays rays = small_field("sphere").rays;
+  const ShownField bare = show_rays("bare", small_field("sphere").display, rays);
+  const ResultTable without = sweep_luminance(bare, {.runs = 1, .threads = 2, .progress = {}});
+  EXPECT_TRUE(plot_luminance_sweep(without, LuminanceTruth::kScene).series.empty());
 }
 
 TEST(LuminanceCommand, WritesViewsPlotAndSamples) {
@@ -144,6 +188,59 @@ TEST(LuminanceCommand, SimulatesTheOtherDisplaysToo) {
   }
 }
 
+/// Notes of a result file, one after the other.
+std::string notes_of(const std::string& json) {
+  std::string notes;
+  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
+  for (const auto& row : results["rows"])
+    if (row["quantity"] == "note") notes += row["note"].get<std::string>() + "\n";
+  return notes;
+}
+
+/// Rounded, as JSON of sums of cells is not exact.
+double micrometres(double metres) {
+  return std::round(metres * 1e6) / 1e6;
+}
+
+/// Positions of the observers in a result file.
+std::set<std::pair<double, double>> observers_in(const std::string& json) {
+  std::set<std::pair<double, double>> positions;
+  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
+  for (const auto& row : results["rows"])
+    if (row.contains("observer_x_m"))
+      positions.insert({micrometres(row["observer_x_m"]), micrometres(row.value("observer_y_m", 0.0))});
+  return positions;
+}
+
+TEST(LuminanceCommand, LooksFromWhereAMultiViewDisplayHasViews) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string();
+  const auto run =
+      run_program({"luminance", "sphere", "--display", "multi-view", "--preset", "quick", "--json", json});
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto positions = observers_in(json);
+  ASSERT_EQ(positions.size(), 3u);
+  for (const auto& [x, y] : positions) {
+    const double view = (x + 0.5) * 9 - 0.5;  // nine views from -0.5 to 0.5 m
+    EXPECT_NEAR(view, std::round(view), 1e-4) << x;
+  }
+  // At these the scene itself is what the views show.
+  EXPECT_NEAR(rows_of(json).at("psnr_ground_truth_db brute-force"),
+              rows_of(json).at("psnr_on_result_db brute-force"), 1);
+}
+
+TEST(LuminanceCommand, LooksFromAnywhereOnThePlaneOfFullParallaxAndSaysWhichRowIsShown) {
+  const TemporaryFolder folder;
+  const std::string json = (folder.path() / "rows.json").string();
+  const auto run =
+      run_program({"luminance", "sphere", "--display", "full-parallax", "--preset", "quick", "--method",
+                   "all,accumulative", "--observers=-0.2:0.1,0.2:-0.1,0", "--json", json});
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(observers_in(json), (std::set<std::pair<double, double>>{{-0.2, 0.1}, {0.2, -0.1}, {0, 0.0375}}));
+  EXPECT_NE(notes_of(json).find("row 5 of 8"), std::string::npos) << notes_of(json);
+  EXPECT_NE(run.out.find("observer_y_m"), std::string::npos);
+}
+
 TEST(LuminanceCommand, SaysThatNothingIsBrightEnoughInsteadOfComparingBlackPictures) {
   const TemporaryFolder folder;
   const std::string json = (folder.path() / "rows.json").string();
@@ -171,15 +268,6 @@ std::filesystem::path grey_display(const std::filesystem::path& folder, float va
       write_scene_image(folder / ("projector-00" + std::to_string(k) + ".exr"), image_of(rays, k),
                         *white_cd_m2);
   return folder;
-}
-
-/// Notes of a result file, one after the other.
-std::string notes_of(const std::string& json) {
-  std::string notes;
-  const nlohmann::json results = nlohmann::json::parse(read_text_file(json));
-  for (const auto& row : results["rows"])
-    if (row["quantity"] == "note") notes += row["note"].get<std::string>() + "\n";
-  return notes;
 }
 
 TEST(LuminanceCommand, KeepsRelativeRadianceApartFromCandela) {
@@ -267,6 +355,21 @@ TEST(LuminanceCommand, TellsWhatItRepairedAndCut) {
   EXPECT_EQ(notes_of(json), "") << clean.out;
 }
 
+TEST(LuminanceCommand, KnowsWhichFoldersItReads) {
+  const TemporaryFolder folder;
+  expect_one_clear_sentence(run_program({"luminance", folder.path().string()}), "display.json");
+  const std::string grey = grey_display(folder.path() / "grey", 2).string();
+  expect_one_clear_sentence(run_program({"luminance", grey, "--preset", "full"}), "--preset", 2);
+  const std::string out = (folder.path() / "out").string();
+  ASSERT_EQ(run_program({"luminance", grey, "-o", out}).status, 0);
+  const auto run_json = nlohmann::json::parse(read_text_file(out + "/run.json"));
+  EXPECT_FALSE(run_json["parameters"].contains("preset"));
+
+  const std::string sweep = (folder.path() / "sweep").string();
+  ASSERT_EQ(run_program({"sweep", "luminance", grey, "--runs", "1", "-o", sweep}).status, 0);
+  EXPECT_EQ(nlohmann::json::parse(read_text_file(sweep + "/run.json"))["inputs"].size(), 1u);
+}
+
 TEST(LuminanceCommand, TellsWrongUseInASentence) {
   expect_one_clear_sentence(run_program({"luminance", "spere"}), "sphere", 2);
   expect_one_clear_sentence(run_program({"luminance", "no/where"}), "does not exist");
@@ -275,6 +378,8 @@ TEST(LuminanceCommand, TellsWrongUseInASentence) {
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--method", "all", "--smoothed"}),
                             "--smoothed", 2);
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--observers", "left"}), "--observers", 2);
+  expect_one_clear_sentence(run_program({"luminance", "sphere", "--preset", "quick", "--observers", "0:1"}),
+                            "X:Y", 2);
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--display-images"}), "-o", 2);
   expect_one_clear_sentence(run_program({"luminance", "sphere", "--method", "all,all"}), "--method", 2);
   for (const char* twice : {"0,0", "-0,0", "1,2,1"})
