@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -41,11 +43,21 @@ void print_items() {
   }
 }
 
+void print_statuses() {
+  fmt::print("\nWhat became of each figure and table of the papers:\n");
+  for (const ExhibitStatus status : {ExhibitStatus::kRecomputed, ExhibitStatus::kRerun,
+                                     ExhibitStatus::kDiagram, ExhibitStatus::kNotReproducible})
+    fmt::print("  {:<22} {}\n", name_of(status), meaning_of(status));
+}
+
 void print_exhibits() {
+  print_statuses();
   for (const Paper& paper : papers()) {
     fmt::print("\n{}, {}\n", paper.name, paper.title);
+    std::size_t widest = 0;
+    for (const Exhibit& e : paper.exhibits) widest = std::max(widest, std::string_view(e.shows).size());
     for (const Exhibit& e : paper.exhibits) {
-      fmt::print("  {:<11} {:<46} {:<22} {}{}{}\n", e.name, e.shows, name_of(e.status), e.item,
+      fmt::print("  {:<11} {:<{}}  {:<22} {}{}{}\n", e.name, e.shows, widest, name_of(e.status), e.item,
                  *e.item && *e.note ? ": " : "", e.note);
     }
   }

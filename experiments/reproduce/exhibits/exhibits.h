@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <string>
 
 namespace plenolab {
 
@@ -14,6 +15,8 @@ enum class ExhibitStatus {
 
 /// "recomputed", "re-run on our stimuli", "diagram", "not reproducible".
 const char* name_of(ExhibitStatus status);
+/// What the status means, in a few words.
+const char* meaning_of(ExhibitStatus status);
 
 /// A figure or table of one of the papers.
 struct Exhibit {
@@ -30,6 +33,13 @@ struct Paper {
   const char* title;
   std::span<const Exhibit> exhibits;  ///< every one, in the order of the paper
 };
+
+/// An exhibit that an id like "zhao-fig-13" or "hansen-table-5.1" is meant to name, if there is one.
+struct NamedExhibit {
+  const Paper* paper = nullptr;  ///< none
+  const Exhibit* exhibit = nullptr;
+};
+NamedExhibit exhibit_called(const std::string& id);
 
 /// The five papers with each of their figures and tables.
 std::span<const Paper> papers();

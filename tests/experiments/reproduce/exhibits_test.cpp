@@ -7,7 +7,10 @@
 #include <set>
 #include <string>
 
+#include "core/base/error.h"
 #include "experiments/reproduce/reproduction.h"
+#include "experiments/reproduce/run.h"
+#include "tests/experiments/run_program.h"
 
 namespace plenolab {
 namespace {
@@ -82,6 +85,65 @@ TEST(Exhibits, NoneIsForgottenAndNoneNamedTwice) {
     }
     EXPECT_EQ(std::pair(figures, tables), printed.at(paper.name)) << paper.name;
   }
+}
+
+/// The sentence that refuses an id.
+std::string refusal_of(const std::string& id) {
+  try {
+    select_reproductions({id});
+  } catch (const UsageError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(Exhibits, AnUnknownIdIsToldWhereToLookWithoutAllTheOthers) {
+  EXPECT_NE(refusal_of("doronin-fig-33").find("did you mean 'doronin-fig-3'?"), std::string::npos);
+  EXPECT_NE(refusal_of("zhao-fig-13").find("in 'zhao-fig-24'"), std::string::npos);
+  EXPECT_NE(refusal_of("Hansen-Fig-E.1").find("in 'hansen-fig-5.1'"), std::string::npos);
+  EXPECT_NE(refusal_of("altmeier-fig-9").find("photographs of hardware"), std::string::npos);
+  EXPECT_NE(refusal_of("nothing").find("--list"), std::string::npos);
+  for (const char* id : {"doronin-fig-33", "zhao-fig-13", "altmeier-fig-9", "nothing"})
+    EXPECT_LT(refusal_of(id).size(), 200u) << refusal_of(id);
+}
+
+TEST(Exhibits, AreFoundByTheIdsThatTheirNamesSuggest) {
+  EXPECT_STREQ(exhibit_called("hansen-table-5.1").exhibit->name, "Table 5.1");
+  EXPECT_STREQ(exhibit_called("doronin-fig-1").exhibit->name, "Figure 1");
+  EXPECT_EQ(exhibit_called("altmeier-fig-99").exhibit, nullptr);
+}
+
+TEST(Exhibits, TheListSaysWhatTheStatusesMeanInStraightColumns) {
+  const auto run = run_program({"reproduce", "--list"});
+  ASSERT_EQ(run.status, 0) << run.err;
+  for (const ExhibitStatus status : {ExhibitStatus::kRecomputed, ExhibitStatus::kRerun,
+                                     ExhibitStatus::kDiagram, ExhibitStatus::kNotReproducible})
+    EXPECT_NE(run.out.find(meaning_of(status)), std::string::npos);
+  const std::string zhao = run.out.substr(run.out.find("\nZhao 2019"));
+  std::set<std::size_t> columns;
+  for (std::size_t at = zhao.find("\n  "); at != std::string::npos; at = zhao.find("\n  ", at + 1)) {
+    const std::string line = zhao.substr(at + 1, zhao.find('\n', at + 1) - at - 1);
+    for (const char* status :
+         {"  recomputed ", "  re-run on our stimuli ", "  diagram ", "  not reproducible "})
+      if (line.find(status) != std::string::npos) columns.insert(line.find(status));
+  }
+  EXPECT_EQ(columns.size(), 1u);
+}
+
+TEST(Report, OnlyTheFirstItemHasItsTimeForItself) {
+  const Laboratory laboratory({.effort = Effort::kTiny, .cache = {}, .seed = 1, .threads = 1, .on_view = {}});
+  std::vector<FinishedReproduction> finished(2);
+  for (FinishedReproduction& f : finished) f.item = &reproductions().front();
+  const Report report = assemble_report(finished, laboratory, {});
+  std::vector<std::string> texts;
+  for (const ReportSection& section : report.sections)
+    for (const ReportBlock& block : section.blocks)
+      if (const auto* paragraph = std::get_if<Paragraph>(&block);
+          paragraph && paragraph->text.starts_with("Run alone"))
+        texts.push_back(paragraph->text);
+  ASSERT_EQ(texts.size(), 2u);
+  EXPECT_EQ(texts[0].find("earlier items"), std::string::npos) << texts[0];
+  EXPECT_NE(texts[1].find("earlier items"), std::string::npos) << texts[1];
 }
 
 }  // namespace
