@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
+#include <vector>
 
 #include "analysis/result_table.h"
 
@@ -20,20 +23,43 @@ constexpr std::array<const char*, 8> kDarkPage{"#56a8e8", "#f0803c", "#2fc49a", 
 constexpr std::array<int, 8> kPointTypes{7, 5, 9, 11, 13, 15, 6, 4};
 constexpr std::array<int, 8> kDashTypes{1, 2, 4, 5, 1, 2, 4, 5};
 
-/// 1, 2 and 5 times powers of ten in [low, high], for logarithmic axes of less than three decades, where
-/// gnuplot would label one or two ticks.
-std::string log_ticks(double low, double high) {
-  std::string ticks;
+/// Multiples of powers of ten in [low, high].
+std::vector<double> decade_ticks(double low, double high, std::initializer_list<double> multiples) {
+  std::vector<double> ticks;
   const int first = static_cast<int>(std::floor(std::log10(low))),
             last = static_cast<int>(std::ceil(std::log10(high)));
   for (int decade = first; decade <= last; ++decade) {
-    for (const int step : {1, 2, 5}) {
-      const double value = step * std::pow(10.0, decade);
-      ticks +=
-          fmt::format("{}'{}' {}", ticks.empty() ? "" : ", ", shortest_number(value), shortest_number(value));
+    for (const double multiple : multiples) {
+      const double value = multiple * std::pow(10.0, decade);
+      if (value >= low && value <= high) ticks.push_back(value);
     }
   }
   return ticks;
+}
+
+/// At least three steps of 1, 2 or 5 times a power of ten, evenly apart.
+std::vector<double> even_ticks(double low, double high) {
+  const double least = (high - low) / 8, power = std::pow(10.0, std::floor(std::log10(least)));
+  const double step = power * (least <= power ? 1 : least <= 2 * power ? 2 : least <= 5 * power ? 5 : 10);
+  std::vector<double> ticks;
+  for (double k = std::ceil(low / step); k <= std::floor(high / step); ++k) ticks.push_back(k * step);
+  return ticks;
+}
+
+/// Ticks of a logarithmic axis of less than three decades, where gnuplot would label one or two: the
+/// coarsest that put at least three labels on it.
+std::vector<double> log_ticks(double low, double high) {
+  constexpr std::size_t kEnough = 3;
+  std::vector<double> ticks = decade_ticks(low, high, {1, 2, 5});
+  if (ticks.size() < kEnough) ticks = decade_ticks(low, high, {1, 1.5, 2, 3, 4, 5, 7});
+  return ticks.size() < kEnough && high > low ? even_ticks(low, high) : ticks;
+}
+
+std::string tick_list(const std::vector<double>& ticks) {
+  std::string text;
+  for (const double value : ticks)
+    text += fmt::format("{}'{:.10g}' {:.10g}", text.empty() ? "" : ", ", value, value);
+  return text;
 }
 
 std::string bound(const std::optional<double>& value) {
@@ -79,13 +105,12 @@ std::string axis_commands(const std::string& name, const PlotAxis& axis, double 
   text += fmt::format("set logscale {}\n", name);
   low = axis.minimum.value_or(low), high = axis.maximum.value_or(high);
   if (std::log10(high / low) < 3) {
-    text += fmt::format("set {}tics ({})\n", name, log_ticks(low, high));
     // Automatic ranges end on labelled ticks only if gnuplot chose these; widen by hand.
-    if (!axis.minimum && !axis.maximum) {
-      const double margin = std::pow(high / low, 0.08) * 1.05;
-      text += fmt::format("set {}range [{}:{}]\n", name, shortest_number(low / margin),
-                          shortest_number(high * margin));
-    }
+    const double margin = std::pow(std::max(1.0, high / low), 0.08) * 1.05;
+    if (!axis.minimum) low /= margin;
+    if (!axis.maximum) high *= margin;
+    text += fmt::format("set {0}range [{1}:{2}]\nset {0}tics ({3})\n", name, shortest_number(low),
+                        shortest_number(high), tick_list(log_ticks(low, high)));
   } else {
     text += fmt::format("set format {0} '10^{{%T}}'\nset {0}tics enhanced\n", name);
   }

@@ -1,23 +1,20 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
-#include "analysis/plot.h"
 #include "core/base/error.h"
-#include "core/base/file.h"
-#include "core/image/colour.h"
-#include "core/io/image_file.h"
 #include "core/luminance/display_folder.h"
 #include "experiments/cli/arguments.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/display_options.h"
 #include "experiments/cli/output.h"
 #include "experiments/cli/result_folder.h"
-#include "experiments/cli/wide_table.h"
-#include "experiments/score.h"
+#include "experiments/luminance_run.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -33,21 +30,39 @@ struct LuminanceCommandOptions {
   RayReinhardOptions reinhard;
 };
 
+/// Height of an observer of whom only x is given.
+constexpr double kMiddleRow = std::numeric_limits<double>::quiet_NaN();
+
 /// Methods and observers, as asked for.
 struct Plan {
   std::vector<LuminanceOptions> methods;
-  std::vector<double> observers_m;  ///< empty: three of the display's range
+  std::vector<NamedObserver> observers;  ///< empty: three of the display's range
 };
 
-std::vector<double> numbers_of(const std::string& text) {
-  std::vector<double> numbers;
-  for (const std::string& part : split_list(text)) {
-    char* end = nullptr;
-    numbers.push_back(std::strtod(part.c_str(), &end));
-    if (end == part.c_str() || *end != '\0' || !std::isfinite(numbers.back()))
-      throw UsageError(fmt::format("--observers: give positions in metres, e.g. -4,0,4, not '{}'", text));
-  }
-  return numbers;
+double metres(const std::string& text) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  if (end == text.c_str() || *end != '\0' || !std::isfinite(value))
+    throw UsageError(
+        fmt::format("--observers: give positions in metres, e.g. -4,0,4, or X:Y on a plane, not '{}'", text));
+  return value == 0 ? 0 : value;  // not -0
+}
+
+/// A position with the name that files have of it.
+NamedObserver observer_named(const std::string& text) {
+  const auto colon = text.find(':');
+  const double x = metres(text.substr(0, colon));
+  if (colon == std::string::npos) return {fmt::format("{:g}m", x), {x, kMiddleRow}};
+  const double y = metres(text.substr(colon + 1));
+  return {fmt::format("{:g}m-{:g}m", x, y), {x, y}};
+}
+
+/// Results would replace each other.
+void require_different(std::vector<std::string> names, const char* option, const char* what) {
+  std::sort(names.begin(), names.end());
+  const auto twice = std::adjacent_find(names.begin(), names.end());
+  if (twice != names.end())
+    throw UsageError(fmt::format("{}: give each {} once, not {} twice", option, what, *twice));
 }
 
 PinholeSize pinhole_of(const std::string& text) {
@@ -75,182 +90,106 @@ Plan plan_of(const LuminanceCommandOptions& options) {
     plan.methods.back().smoothed = options.smoothed && name == "accumulative";
   }
   if (plan.methods.empty()) throw UsageError("--method: give at least one method");
+  require_different(split_list(options.methods), "--method", "method");
   if (options.smoothed &&
       std::none_of(plan.methods.begin(), plan.methods.end(), [](const auto& m) { return m.smoothed; }))
     throw UsageError("--smoothed is for the method accumulative");
-  plan.observers_m = numbers_of(options.observers);
+  std::vector<std::string> positions;
+  for (const std::string& text : split_list(options.observers)) {
+    plan.observers.push_back(observer_named(text));
+    positions.push_back(plan.observers.back().name);
+  }
+  require_different(std::move(positions), "--observers", "position");
   return plan;
 }
 
-/// An observer that is looked through, and how files and rows name it.
-struct Observer {
-  std::string name;
-  ObserverPosition position;
-};
-
-std::vector<Observer> observers_of(const Plan& plan, const DisplaySpace& space) {
-  std::vector<Observer> observers;
-  const double y = (space.y_min_m + space.y_max_m) / 2;
-  if (!plan.observers_m.empty()) {
-    for (const double x : plan.observers_m) observers.push_back({fmt::format("{:g}m", x), {x, y}});
-    return observers;
+/// Three of the range. Displays with separate positions are looked at from the nearest of these: between two,
+/// the picture of neither is what the scene shows there.
+std::vector<NamedObserver> default_observers(const RayDisplay& display) {
+  const DisplaySpace& space = display.space();
+  const double middle = (space.x_min_m + space.x_max_m) / 2, half = (space.x_max_m - space.x_min_m) / 2,
+               y = (space.y_min_m + space.y_max_m) / 2;
+  const bool projectors = dynamic_cast<const ProjectorDisplay*>(&display) != nullptr;
+  const ObserverSamples positions = observer_samples(display, {});
+  std::vector<NamedObserver> observers;
+  for (const auto& [name, side] : {std::pair{"centre", 0.0}, {"left", -0.8}, {"right", 0.8}}) {
+    ObserverPosition at{middle + side * half, y};
+    if (!projectors) at = positions.position(positions.nearest(at));
+    const bool taken = std::any_of(observers.begin(), observers.end(),
+                                   [&](const NamedObserver& other) { return other.position.x_m == at.x_m; });
+    if (!taken) observers.push_back({name, at});
   }
-  const double middle = (space.x_min_m + space.x_max_m) / 2, half = (space.x_max_m - space.x_min_m) / 2;
-  for (const auto& [name, side] : {std::pair{"left", -0.8}, {"centre", 0.0}, {"right", 0.8}})
-    observers.push_back({name, {middle + side * half, y}});
+  std::sort(observers.begin(), observers.end(),
+            [](const NamedObserver& a, const NamedObserver& b) { return a.position.x_m < b.position.x_m; });
   return observers;
 }
 
-/// One run of the command.
-struct Run {
-  const LuminanceCommandOptions& options;
-  const ShownField& field;
-  std::vector<TimedEstimate> estimates;
-  std::vector<LuminanceOptions> methods;
-  ResultTable rows, samples;
-
-  Columns columns(const LuminanceOptions& method) const {
-    return {{"source", options.source}, {"method", setting_name(method)}};
+std::vector<NamedObserver> observers_of(const Plan& plan, const RayDisplay& display) {
+  if (plan.observers.empty()) return default_observers(display);
+  const DisplaySpace& space = display.space();
+  const ObserverSamples positions = observer_samples(display, {});
+  const double middle = (space.y_min_m + space.y_max_m) / 2;
+  const int row = positions.nearest({positions.position(0).x_m, middle});
+  std::vector<NamedObserver> observers = plan.observers;
+  for (NamedObserver& observer : observers) {
+    if (std::isnan(observer.position.y_m))
+      observer.position.y_m = space.on_a_plane() ? positions.position(row).y_m : middle;
+    else if (!space.on_a_plane())
+      throw UsageError(
+          "--observers: X:Y is for displays with full parallax; others have a line of observers");
   }
-};
-
-void add_method_rows(Run& run, const LuminanceOptions& method, const TimedEstimate& estimate) {
-  const Columns columns = run.columns(method);
-  const GlobalLuminance& luminance = estimate.luminance;
-  run.rows.add({"seconds", estimate.seconds, "s", columns});
-  run.rows.add({"samples", static_cast<double>(luminance.samples.size()), "samples", columns});
-  run.rows.add({"undefined_samples", static_cast<double>(luminance.undefined()), "samples", columns});
-  if (!luminance.known()) return;
-  const auto [low, high] = std::minmax_element(luminance.ln_luminance.begin(), luminance.ln_luminance.end());
-  run.rows.add({"luminance_min_cd_m2", std::exp(*low), "cd/m²", columns});
-  run.rows.add({"luminance_max_cd_m2", std::exp(*high), "cd/m²", columns});
-  run.rows.add({"ln_total_variation", measure_curve(luminance).total_variation, "1", columns});
-  for (int i = 0; i < luminance.samples.size(); ++i) {
-    const ObserverPosition at = luminance.samples.position(i);
-    run.samples.add({"luminance_cd_m2",
-                     std::exp(luminance.ln_luminance[static_cast<std::size_t>(i)]),
-                     "cd/m²",
-                     {{"method", setting_name(method)},
-                      {"x_m", at.x_m},
-                      {"y_m", at.y_m},
-                      {"defined", static_cast<long long>(luminance.defined[static_cast<std::size_t>(i)])}}});
-  }
+  return observers;
 }
 
-void write_light(const fs::path& folder, const std::string& name, const DisplayLightImage& light) {
-  if (!folder.empty() && !light.empty()) write_display_image(folder / (name + ".png"), encoded(light));
+void require_display_images(const LuminanceCommandOptions& options) {
+  if (!options.images) return;
+  const bool projectors =
+      fs::exists(options.source) ? is_display_folder(options.source) : options.display.kind == "projectors";
+  if (options.out.empty() || !projectors)
+    throw UsageError("--display-images writes images of projectors: give -o, and no other display");
 }
 
-/// What one observer sees, tone mapped with each estimate, beside the references.
-void look(Run& run, const Observer& observer, const std::vector<DisplayRays>& mapped,
-          const fs::path& folder) {
-  const RayRendering rendering{.threads = run.options.common.threads};
-  const PinholeSize size = run.field.display->resolution();
-  const ReferencePictures references = reference_pictures(
-      run.field, observer.position, size, run.options.reinhard, run.options.average, rendering);
-  write_light(folder, "ground-truth-" + observer.name, references.ground_truth);
-  write_light(folder, "on-result-" + observer.name, references.on_result);
-  for (std::size_t m = 0; m < mapped.size(); ++m) {
-    Columns columns = run.columns(run.methods[m]);
-    columns.emplace_back("observer_x_m", observer.position.x_m);
-    const auto ln = run.estimates[m].luminance.ln_at(observer.position);
-    if (ln) run.rows.add({"luminance_cd_m2", std::exp(*ln), "cd/m²", columns});
-    const DisplayLightImage seen =
-        perceive(*run.field.display, mapped[m], observer.position, size, rendering.threads).image;
-    // Black beside black compares nothing.
-    if (ln && references.ln_truth)
-      run.rows.add({"psnr_ground_truth_db", light_psnr_db(seen, references.ground_truth), "dB", columns});
-    if (ln && references.ln_result)
-      run.rows.add({"psnr_on_result_db", light_psnr_db(seen, references.on_result), "dB", columns});
-    write_light(folder, fmt::format("{}-{}", name_of(run.methods[m].method), observer.name), seen);
+/// What the run is told to do, once the field is known.
+LuminancePlan full_plan(const LuminanceCommandOptions& options, const Plan& plan, const ShownField& field) {
+  return {.source = options.source,
+          .methods = plan.methods,
+          .observers = observers_of(plan, *field.display),
+          .samples = observer_samples(*field.display, options.display),
+          .average = options.average,
+          .reinhard = options.reinhard,
+          .display_images = options.images,
+          .threads = options.common.threads};
+}
+
+void record_options(Provenance& provenance, const LuminanceCommandOptions& options, const ShownField& field) {
+  if (is_display_scene(options.source)) {
+    provenance.parameters["display"] = options.display.kind;
+    provenance.parameters["preset"] = options.display.preset.empty() ? "small" : options.display.preset;
   }
-  if (folder.empty()) return;
-  const SceneImage& hdr = references.result;
-  write_scene_image(folder / fmt::format("perceived-{}.exr", observer.name), hdr, 1.0);
-  write_display_image(folder / fmt::format("perceived-{}.png", observer.name),
-                      expose(hdr, exposure_from(hdr)));
-}
-
-Plot line_plot(const Run& run) {
-  Plot plot;
-  plot.x = {.title = "Position on the observer line", .unit = "m"};
-  plot.y = {.title = "Luminance adapted to", .unit = "cd/m²", .logarithmic = true};
-  plot.key = KeyPosition::kOutside;
-  for (std::size_t m = 0; m < run.methods.size(); ++m) {
-    PlotSeries series{setting_name(run.methods[m]), PlotSeries::Style::kLines, {}};
-    for (const CurvePoint& point : curve_of(run.estimates[m].luminance))
-      series.points.push_back({point.x_m, std::exp(point.ln_luminance)});
-    if (!series.points.empty()) plot.series.push_back(std::move(series));
-  }
-  return plot;
-}
-
-void compute(Run& run, const Plan& plan, const fs::path& folder) {
-  const ObserverSamples samples = observer_samples(*run.field.display, run.options.display);
-  std::vector<DisplayRays> mapped;
-  for (const LuminanceOptions& method : plan.methods) {
-    run.methods.push_back(method);
-    run.estimates.push_back(timed_estimate(run.field, samples, method));
-    add_method_rows(run, method, run.estimates.back());
-    mapped.push_back(map_rays(*run.field.display, run.field.rays, run.estimates.back().luminance,
-                              run.options.reinhard, run.options.common.threads)
-                         .light);
-  }
-  for (const Observer& observer : observers_of(plan, run.field.display->space()))
-    look(run, observer, mapped, folder);
-  if (run.field.repairs.total() > 0)
-    run.rows.add({"repaired_values",
-                  static_cast<double>(run.field.repairs.total()),
-                  "values",
-                  {{"source", run.options.source}}});
-  if (folder.empty()) return;
-  write_text_file(folder / "samples.csv", to_csv(run.samples));
-  const Plot plot = line_plot(run);
-  if (!plot.series.empty()) write_plot(plot, folder / "luminance");
-  const auto* projectors = dynamic_cast<const ProjectorDisplay*>(run.field.display.get());
-  if (run.options.images && projectors) write_display_folder(folder / "display", *projectors, run.field.rays);
-}
-
-void print_tables(const Run& run) {
-  fmt::print("{}\n{}",
-             to_wide_text(run.rows, {"source", "method"},
-                          {{"luminance_min_cd_m2", "least [cd/m²]"},
-                           {"luminance_max_cd_m2", "most [cd/m²]"},
-                           {"ln_total_variation", "variation of ln"},
-                           {"undefined_samples", "undefined"},
-                           {"samples", "samples"},
-                           {"seconds", "seconds"}}),
-             to_wide_text(run.rows, {"method", "observer_x_m"},
-                          {{"luminance_cd_m2", "luminance [cd/m²]"},
-                           {"psnr_ground_truth_db", "PSNR, ground truth [dB]"},
-                           {"psnr_on_result_db", "PSNR, on result [dB]"}}));
+  provenance.parameters["epsilon_" + luminance_unit(field).suffix] = options.average.epsilon;
+  provenance.parameters["key"] = options.reinhard.key;
+  if (options.display.cd_m2_per_unit > 0)
+    provenance.parameters["cd_m2_per_unit"] = options.display.cd_m2_per_unit;
 }
 
 void run_luminance(const Invocation& invocation, const LuminanceCommandOptions& options) {
   require_field_source(options.source, options.display);
   const Plan plan = plan_of(options);
-  if (options.images && (options.out.empty() || options.display.kind != "projectors"))
-    throw UsageError("--display-images writes images of projectors: give -o, and no other display");
+  require_display_images(options);
   Provenance provenance = begin_run(invocation, options.common);
   if (fs::exists(options.source)) add_input(provenance, options.source);
-  provenance.parameters["display"] = options.display.kind;
-  provenance.parameters["preset"] = options.display.preset;
-  provenance.parameters["epsilon_cd_m2"] = options.average.epsilon;
-  provenance.parameters["key"] = options.reinhard.key;
   const ShownField field = open_field(options.source, options.display, {.threads = options.common.threads});
-  Run run{options, field, {}, {}, {}, {}};
+  record_options(provenance, options, field);
+  const LuminancePlan full = full_plan(options, plan, field);
+  LuminanceResults results;
   if (options.out.empty())
-    compute(run, plan, {});
+    results = run_luminance_plan(field, full, {});
   else
     write_result_folder({options.out, "luminance", options.source, options.force}, provenance,
-                        [&](const fs::path& folder) { compute(run, plan, folder); });
-  if (!output_is_for_programs(options.common)) print_tables(run);
-  write_results(run.rows, provenance, options.common);
-  if (!run.estimates.front().luminance.known())
-    tell(options.common,
-         fmt::format("No ray of {} that counts is above {:g} cd/m²: its luminance is undefined, its "
-                     "pictures are black.",
-                     options.source, options.average.epsilon));
+                        [&](const fs::path& folder) { results = run_luminance_plan(field, full, folder); });
+  if (!output_is_for_programs(options.common)) fmt::print("{}", luminance_tables(field, results));
+  write_results(results.rows, provenance, options.common);
+  for (const std::string& note : results.notes) tell(options.common, note);
   if (!options.out.empty()) tell(options.common, fmt::format("wrote {}", options.out));
 }
 
@@ -259,7 +198,8 @@ void add_method_options(CLI::App& app, LuminanceCommandOptions& options) {
       ->capture_default_str();
   app.add_flag("--smoothed", options.smoothed, "Accumulative: add half of the neighbouring samples");
   app.add_option("--pinhole", options.pinhole, "Size of brute force's pinhole images")->capture_default_str();
-  app.add_option("--epsilon", options.average.epsilon, "Luminance in cd/m² that pixels must exceed to count")
+  app.add_option("--epsilon", options.average.epsilon,
+                 "Luminance that pixels must exceed to count, in cd/m² or the unit of a relative source")
       ->check(number_between(1e-30, 1e30))
       ->capture_default_str();
   app.add_option("--key", options.reinhard.key, "Key value of the tone mapping")
@@ -271,18 +211,22 @@ void add_method_options(CLI::App& app, LuminanceCommandOptions& options) {
 
 void add_luminance_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<LuminanceCommandOptions>();
-  app.add_option("source", options->source,
-                 "Scene (pillars, sphere), folder with display.json and projector images in cd/m², or folder "
-                 "of a light field, the cameras of whose middle row become views")
+  app.add_option(
+         "source", options->source,
+         "Scene (pillars, sphere), folder with display.json and projector images in cd/m², or folder "
+         "of a light field, the cameras of whose middle row become views; its luminance may be relative")
       ->required();
   add_method_options(app, *options);
   add_display_options(app, options->display);
-  app.add_option("--observers", options->observers,
-                 "Positions in metres that are looked from (default: left, centre and right of the range)");
+  app.add_option(
+      "--observers", options->observers,
+      "Positions in metres that are looked from, X or, for full parallax, X:Y (default: left, centre and "
+      "right of the range, for displays with separate views the nearest of these)");
   app.add_option("-o,--out", options->out, "Folder for views, plot and samples.csv")->check(not_empty());
   app.add_flag("--display-images", options->images, "Also write the projectors' images, with display.json");
   add_force_option(app, options->force);
   add_common_options(app, options->common);
+  app.get_option("--seed")->description("Taken as everywhere; nothing here is random");
   app.footer(
       "Examples: plenolab luminance sphere -o results/sphere\n"
       "          plenolab luminance pillars --method accumulative,spread --preset full --observers -2,2");

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
+#include <string_view>
 
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -41,13 +43,22 @@ void print_items() {
   }
 }
 
+void print_statuses() {
+  fmt::print("\nWhat became of each figure and table of the papers:\n");
+  for (const ExhibitStatus status : {ExhibitStatus::kRecomputed, ExhibitStatus::kRerun,
+                                     ExhibitStatus::kDiagram, ExhibitStatus::kNotReproducible})
+    fmt::print("  {:<22} {}\n", name_of(status), meaning_of(status));
+}
+
 void print_exhibits() {
+  print_statuses();
   for (const Paper& paper : papers()) {
     fmt::print("\n{}, {}\n", paper.name, paper.title);
+    std::size_t widest = 0;
+    for (const Exhibit& e : paper.exhibits) widest = std::max(widest, std::string_view(e.shows).size());
     for (const Exhibit& e : paper.exhibits) {
-      const bool reproduced = e.status != ExhibitStatus::kNotReproducible;
-      fmt::print("  {:<11} {:<46} {:<22} {}{}{}\n", e.name, e.shows, name_of(e.status), e.item,
-                 reproduced && *e.note ? ": " : "", e.note);
+      fmt::print("  {:<11} {:<{}}  {:<22} {}{}{}\n", e.name, e.shows, widest, name_of(e.status), e.item,
+                 *e.item && *e.note ? ": " : "", e.note);
     }
   }
 }
@@ -67,7 +78,7 @@ void list(const Invocation& invocation, const CommonOptions& options) {
   for (const Paper& paper : papers())
     for (const Exhibit& e : paper.exhibits)
       table.add({"reproduced",
-                 e.status == ExhibitStatus::kNotReproducible ? 0.0 : 1.0,
+                 *e.item ? 1.0 : 0.0,
                  "1",
                  {{"paper", std::string(paper.name)},
                   {"exhibit", std::string(e.name)},
@@ -173,8 +184,10 @@ void run_reproduce(const Invocation& invocation, const ReproduceOptions& options
 void add_reproduce_command(CLI::App& app, const Invocation& invocation) {
   auto options = std::make_shared<ReproduceOptions>();
   app.add_option("ids", options->ids, "What to reproduce, or all (default: all), see --list");
-  app.add_flag("--list", options->list,
-               "List what can be reproduced, and what became of every figure and table of the papers");
+  app.add_flag(
+      "--list", options->list,
+      "List what can be reproduced, and what became of every figure and table of the papers: recomputed, "
+      "re-run, a diagram (with what is measured in its place) or not reproducible");
   app.add_option(
          "-o,--out", options->out,
          "Folder for the report and its figures (default: results/reproduce, for one item results/ID)")

@@ -198,7 +198,12 @@ ResultTable run_luminance_sweep(const SweepOptions& options, const fs::path& fol
   const ShownField field = open_field(options.source, {}, {.threads = options.common.threads});
   ProgressBar bar("sweep");
   const ResultTable table = sweep_luminance(field, run_of(options, bar));
-  write_sweep_plot(table, luminance_sweep_plot(), fs::path(field.name).filename().string(), folder);
+  const std::string name = fs::path(item_path(field.name)).filename().string();
+  for (const auto& [truth, to] :
+       {std::pair{LuminanceTruth::kBruteForce, "brute-force"}, std::pair{LuminanceTruth::kScene, "scene"}}) {
+    const Plot plot = plot_luminance_sweep(table, truth);
+    if (!plot.series.empty()) write_plot(plot, folder / fmt::format("sweep-{}-to-{}", name, to));
+  }
   return table;
 }
 
@@ -309,7 +314,13 @@ const std::vector<SweepMethod>& methods() {
       {"luminance",
        run_luminance_sweep,
        {"scene", "method", "pinhole", "samples"},
-       tone_columns({{"rms_error_to_scene", "to the scene"}})},
+       {{"rms_error", "RMS of ln, to brute force"},
+        {"max_error", "largest"},
+        {"on_pareto_front", "front"},
+        {"rms_error_to_scene", "RMS of ln, to the scene"},
+        {"on_pareto_front_to_scene", "front there"},
+        {"seconds_median", "seconds"},
+        {"memory_peak_mib", "peak [MiB]"}}},
       {"lut",
        run_lut_sweep,
        {"picture", "chain", "interpolation", "size", "divisor"},
@@ -360,6 +371,7 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   provenance.parameters["method"] = options.method;
   provenance.parameters["source"] = options.source;
   provenance.parameters["runs"] = options.runs;
+  if (options.source != kWalk && fs::exists(options.source)) add_input(provenance, options.source);
   if (absolute) provenance.parameters["cd_m2_per_unit"] = scale_of(options);
   if (!is_walk(options) && source_exists(options)) add_input(provenance, options.source);
   const std::optional<float> exposure = exposure_for_tables(options);

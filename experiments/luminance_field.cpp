@@ -53,7 +53,19 @@ ShownField show_rays(std::string name, std::shared_ptr<const RayDisplay> display
                      int threads) {
   const PixelRepairs repairs = repair(rays);
   RayValues<float> luminance = luminance_of(rays, threads);
-  return {std::move(name), std::move(display), std::move(rays), std::move(luminance), repairs, {}, 0};
+  return {std::move(name),
+          std::move(display),
+          std::move(rays),
+          std::move(luminance),
+          repairs,
+          RadianceUnit::kCdM2,
+          {},
+          0};
+}
+
+LuminanceUnit luminance_unit(const ShownField& field) {
+  if (field.unit == RadianceUnit::kCdM2) return {"cd_m2", "cd/m²"};
+  return {"relative", "relative"};
 }
 
 std::string setting_name(const LuminanceOptions& options) {
@@ -75,7 +87,9 @@ ReferencePictures reference_pictures(const ShownField& field, ObserverPosition o
                                      const RayReinhardOptions& reinhard, const LogAverageOptions& average,
                                      const RayRendering& rendering) {
   ReferencePictures pictures;
-  pictures.result = perceive(*field.display, field.rays, observer, size, rendering.threads).image;
+  Perceived<SceneReferred> seen = perceive(*field.display, field.rays, observer, size, rendering.threads);
+  pictures.unlit_share = static_cast<double>(seen.unlit) / static_cast<double>(seen.image.size());
+  pictures.result = std::move(seen.image);
   pictures.ln_result = log_average(pictures.result, average);
   pictures.on_result = map_picture(pictures.result, pictures.ln_result, reinhard, rendering.threads).light;
   if (!field.scene) return pictures;

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/lightfield/light_field.h"
 #include "core/luminance/perceived.h"
 #include "core/luminance/ray_reinhard.h"
 #include "experiments/ray_rendering.h"
@@ -21,7 +22,8 @@ struct ShownField {
   SceneRays rays;  ///< finite, ≥ 0
   RayValues<float> luminance;
   PixelRepairs repairs;
-  std::optional<LitRays> scene;  ///< from which it was rendered, if it was
+  RadianceUnit unit = RadianceUnit::kCdM2;  ///< of rays and luminance
+  std::optional<LitRays> scene;             ///< from which it was rendered, if it was
   double render_seconds = 0;
 };
 
@@ -52,6 +54,12 @@ struct TimedEstimate {
 TimedEstimate timed_estimate(const ShownField& field, const ObserverSamples& samples,
                              const LuminanceOptions& options);
 
+/// How the luminance of a field is written: at the end of names of quantities, and as a unit.
+struct LuminanceUnit {
+  std::string suffix, name;  ///< "cd_m2" and "cd/m²", or both "relative"
+};
+LuminanceUnit luminance_unit(const ShownField& field);
+
 /// The two references of section 7.2 for an observer: HDR pictures, and the operator applied to each as a
 /// whole.
 struct ReferencePictures {
@@ -60,6 +68,7 @@ struct ReferencePictures {
   /// The perceived picture of the display.
   SceneImage result;
   DisplayLightImage ground_truth, on_result;
+  double unlit_share = 0;  ///< of the screen, black in `result`: no ray of the display reaches the observer
   std::optional<double> ln_truth, ln_result;  ///< ln L̄ of these pictures, as far as it is defined
 };
 ReferencePictures reference_pictures(const ShownField& field, ObserverPosition observer, PinholeSize size,

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <tuple>
 
+#include "analysis/pareto.h"
 #include "core/base/error.h"
 
 namespace plenolab {
@@ -12,6 +15,8 @@ namespace plenolab {
 namespace {
 
 constexpr int kReferenceSamples = 10'000, kTruePictures = 25;
+constexpr const char *kError = "rms_error", *kFront = "on_pareto_front",
+                     *kErrorToScene = "rms_error_to_scene", *kFrontToScene = "on_pareto_front_to_scene";
 
 std::vector<LuminanceOptions> all_methods(const ShownField& field) {
   std::vector<LuminanceOptions> methods;
@@ -70,6 +75,25 @@ Errors errors_of(const GlobalLuminance& estimate, const GlobalLuminance& referen
   return errors;
 }
 
+/// The reference has no error against itself.
+bool is_reference(const ShownField& field, const LuminanceOptions& options, int samples) {
+  return options.method == LuminanceMethod::kBruteForce && options.pinhole == field.display->resolution() &&
+         samples == kReferenceSamples;
+}
+
+Columns columns_of(const std::string& scene, const SweepOutcome& outcome) {
+  Columns columns{{"scene", scene}};
+  columns.insert(columns.end(), outcome.setting.begin(), outcome.setting.end());
+  return columns;
+}
+
+void add_outcome(ResultTable& table, const std::string& scene, const SweepOutcome& outcome) {
+  const Columns columns = columns_of(scene, outcome);
+  add_measurement_rows(table, outcome.values, columns);
+  add_timing_rows(table, outcome.timing, columns);
+  if (outcome.peak_mib) table.add({"memory_peak_mib", *outcome.peak_mib, "MiB", columns});
+}
+
 SweepOutcome outcome_of(const ShownField& field, const LuminanceOptions& options, int samples,
                         const GlobalLuminance& reference, const Truth& truth, int runs) {
   const bool pictures = options.method == LuminanceMethod::kBruteForce;
@@ -85,14 +109,79 @@ SweepOutcome outcome_of(const ShownField& field, const LuminanceOptions& options
       runs);
   if (!estimate.known())
     throw InputError(fmt::format("{}: no ray is above ε, there is nothing to sweep", field.name));
-  const Errors errors = errors_of(estimate, reference);
-  outcome.error = errors.rms;
-  outcome.values = {{"rms_error", errors.rms, "1"},
-                    {"max_error", errors.largest, "1"},
-                    {"undefined_samples", static_cast<double>(estimate.undefined()), "samples"}};
-  if (!truth.x_m.empty())
-    outcome.values.push_back({"rms_error_to_scene", rms_error_to(truth, estimate), "1"});
+  outcome.values = {{"undefined_samples", static_cast<double>(estimate.undefined()), "samples"}};
+  if (!is_reference(field, options, samples)) {
+    const Errors errors = errors_of(estimate, reference);
+    outcome.values.push_back({kError, errors.rms, "1"});
+    outcome.values.push_back({"max_error", errors.largest, "1"});
+  }
+  if (!truth.x_m.empty()) outcome.values.push_back({kErrorToScene, rms_error_to(truth, estimate), "1"});
   return outcome;
+}
+
+std::optional<double> value_of(const SweepOutcome& outcome, const char* quantity) {
+  for (const Measurement& value : outcome.values)
+    if (value.quantity == quantity) return value.value;
+  return std::nullopt;
+}
+
+/// Whether no other setting is both faster and better, of those that have the error.
+void add_front(ResultTable& table, const std::string& scene, const std::vector<SweepOutcome>& outcomes,
+               const char* error, const char* front) {
+  std::vector<const SweepOutcome*> compared;
+  std::vector<double> errors, seconds;
+  for (const SweepOutcome& outcome : outcomes) {
+    const std::optional<double> value = value_of(outcome, error);
+    if (!value) continue;
+    compared.push_back(&outcome);
+    errors.push_back(*value);
+    seconds.push_back(outcome.timing.median_s);
+  }
+  const std::vector<bool> on_front = pareto_front(errors, seconds);
+  for (std::size_t i = 0; i < compared.size(); ++i)
+    table.add({front, on_front[i] ? 1.0 : 0.0, "1", columns_of(scene, *compared[i])});
+}
+
+/// What the plot shows of a row's setting.
+struct PlottedRow {
+  std::string series;
+  long long samples = 0;
+};
+
+PlottedRow plotted(const ResultRow& row) {
+  PlottedRow shown;
+  for (const auto& [name, cell] : row.columns) {
+    if (name == "method") shown.series = std::get<std::string>(cell);
+    if (name == "samples") shown.samples = std::get<long long>(cell);
+    if (name == "pinhole" && !std::get<std::string>(cell).empty())
+      shown.series += fmt::format(", {} px", std::get<std::string>(cell));
+  }
+  return shown;
+}
+
+/// Leaves only labels that do not lie upon each other: methods with like errors are like in time, too.
+void thin_out_labels(Plot& plot) {
+  constexpr double kApartAcross = 0.1, kApartDown = 0.05;  // shares of the axes
+  double x_low = HUGE_VAL, x_high = -HUGE_VAL, y_low = HUGE_VAL, y_high = -HUGE_VAL;
+  for (const PlotSeries& series : plot.series) {
+    for (const PlotPoint& p : series.points) {
+      std::tie(x_low, x_high) = std::pair{std::min(x_low, std::log(p.x)), std::max(x_high, std::log(p.x))};
+      std::tie(y_low, y_high) = std::pair{std::min(y_low, std::log(p.y)), std::max(y_high, std::log(p.y))};
+    }
+  }
+  std::vector<const PlotPoint*> labelled;
+  for (PlotSeries& series : plot.series) {
+    for (PlotPoint& p : series.points) {
+      const bool taken = std::any_of(labelled.begin(), labelled.end(), [&](const PlotPoint* other) {
+        return std::abs(std::log(p.x / other->x)) < kApartAcross * (x_high - x_low) &&
+               std::abs(std::log(p.y / other->y)) < kApartDown * (y_high - y_low);
+      });
+      if (taken)
+        p.label.clear();
+      else
+        labelled.push_back(&p);
+    }
+  }
 }
 
 }  // namespace
@@ -118,12 +207,42 @@ ResultTable sweep_luminance(const ShownField& field, const SweepRun& run) {
     }
   }
   ResultTable table;
-  add_outcome_rows(table, {{"scene", field.name}}, outcomes);
+  for (const SweepOutcome& outcome : outcomes) add_outcome(table, field.name, outcome);
+  add_front(table, field.name, outcomes, kError, kFront);
+  add_front(table, field.name, outcomes, kErrorToScene, kFrontToScene);
   return table;
 }
 
-SweepPlotDesign luminance_sweep_plot() {
-  return {"rms_error", "RMS error of ln L̄", "1", {"method", "pinhole"}, "samples"};
+Plot plot_luminance_sweep(const ResultTable& rows, LuminanceTruth truth) {
+  const bool to_scene = truth == LuminanceTruth::kScene;
+  std::vector<std::string> order;
+  std::map<std::string, std::map<long long, PlotPoint>> series;
+  for (const ResultRow& row : rows.rows()) {
+    const PlottedRow shown = plotted(row);
+    if (!series.count(shown.series)) order.push_back(shown.series);
+    PlotPoint& point = series[shown.series][shown.samples];
+    point.label = fmt::format("{}", shown.samples);
+    if (row.quantity == (to_scene ? kErrorToScene : kError)) point.y = row.value;
+    if (row.quantity == (to_scene ? kFrontToScene : kFront)) point.marked = row.value != 0;
+    if (row.quantity == "seconds_median") point.x = row.value * 1000;
+  }
+  Plot plot;
+  plot.title = "Labels: samples along the line; lines join 10, 100, 1000 and 10000";
+  plot.x = {.title = "Run time, median", .unit = "ms", .logarithmic = true};
+  plot.y = {.title = to_scene ? "RMS error of ln L̄, to the scene" : "RMS error of ln L̄, to brute force",
+            .unit = "1",
+            .logarithmic = true};
+  plot.marked_title = "Pareto front";
+  plot.key = KeyPosition::kOutside;
+  plot.width_px = 1000, plot.height_px = 520;
+  for (const std::string& title : order) {
+    PlotSeries shown{.title = title};
+    for (const auto& [samples, point] : series[title])
+      if (point.y > 0) shown.points.push_back(point);
+    if (!shown.points.empty()) plot.series.push_back(std::move(shown));
+  }
+  thin_out_labels(plot);
+  return plot;
 }
 
 }  // namespace plenolab

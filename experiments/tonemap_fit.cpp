@@ -8,6 +8,7 @@
 #include "core/image/colour.h"
 #include "core/io/exr.h"
 #include "core/io/image_file.h"
+#include "core/io/white_luminance.h"
 #include "core/lightfield/description.h"
 #include "experiments/cli/inputs.h"
 #include "experiments/cli/output.h"
@@ -28,12 +29,7 @@ OperatorView read_operator_view(const std::filesystem::path& path, const std::st
 }
 
 std::optional<double> declared_cd_m2_per_unit(const std::filesystem::path& path) {
-  if (is_exr_file(path))
-    for (const ExrPartInfo& part : read_exr_header(path)) {
-      const auto white = part.float_attributes.find(kWhiteLuminance);
-      if (white != part.float_attributes.end() && white->second > 0 && std::isfinite(white->second))
-        return white->second;
-    }
+  if (const auto white = white_luminance(path)) return white;
   const std::filesystem::path description = path.parent_path() / kDescriptionFile;
   if (!std::filesystem::exists(description)) return std::nullopt;
   const LightFieldDescription field = parse_description(read_text_file(description), description.string());

@@ -8,6 +8,7 @@
 #include "core/base/file.h"
 #include "core/io/image_file.h"
 #include "core/io/json_reader.h"
+#include "core/io/white_luminance.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
@@ -46,6 +47,11 @@ std::vector<std::string> images_of(const JsonReader& reader) {
     if (fs::path(name).is_absolute() || fs::path(name).lexically_normal().string().starts_with(".."))
       reader.wrong("images", fmt::format("must name files inside the folder, not '{}'", name));
   return names;
+}
+
+void scale(SceneImage& image, double factor) {
+  if (factor == 1) return;
+  for (Rgb& c : image.pixels()) c = c * static_cast<float>(factor);
 }
 
 std::string image_name(int k) {
@@ -89,13 +95,14 @@ bool is_display_folder(const fs::path& folder) {
   return fs::is_regular_file(folder / kFile);
 }
 
-DisplayFolder read_display_folder(const fs::path& folder) {
+DisplayFolder read_display_folder(const fs::path& folder, std::optional<double> cd_m2_per_unit) {
   const DisplayDescription description =
       parse_display_description(read_text_file(folder / kFile), (folder / kFile).string());
   DisplayFolder result{description.display, {}};
   for (std::size_t k = 0; k < description.images.size(); ++k) {
     const fs::path file = folder / description.images[k];
-    const SceneImage image = read_scene_image(file);
+    SceneImage image = read_scene_image(file);
+    scale(image, cd_m2_per_unit ? *cd_m2_per_unit : white_luminance(file).value_or(1));
     if (k == 0) {
       result.display.width = image.width();
       result.display.height = image.height();

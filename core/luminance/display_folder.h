@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,7 @@
 namespace plenolab {
 
 /// A projector display with its images on disk: a folder with `display.json` and one image in cd/m² a
-/// projector:
+/// projector; the attribute whiteLuminance of an .exr, if it has one, says how many cd/m² its value 1 is:
 /// ```
 /// {
 ///   "format": "plenolab-display", "version": 1,
@@ -41,8 +42,10 @@ struct DisplayFolder {
 
 /// Whether the folder holds a display.json.
 bool is_display_folder(const std::filesystem::path& folder);
-/// Throws InputError naming the file and what is wrong with it.
-DisplayFolder read_display_folder(const std::filesystem::path& folder);
+/// Rays in cd/m²: values times `cd_m2_per_unit` if it is given, else times what each .exr says. Throws
+/// InputError naming the file and what is wrong with it.
+DisplayFolder read_display_folder(const std::filesystem::path& folder,
+                                  std::optional<double> cd_m2_per_unit = std::nullopt);
 /// Writes into a folder that exists or can be made; display.json comes last.
 void write_display_folder(const std::filesystem::path& folder, const ProjectorDisplay& display,
                           const SceneRays& rays);

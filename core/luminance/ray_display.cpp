@@ -13,9 +13,10 @@ namespace {
 
 constexpr int kMostSamples = 10'000'000;
 
-/// Number of the cell of [low, high) that holds a value; −1 outside.
+/// Number of the cell of [low, high] that holds a value, the upper one at borders; the last cell is closed,
+/// as an observer at the end of the range sees the display, too. −1 outside.
 int cell_of(double value, double low, double high, int cells) {
-  if (!(value >= low && value < high)) return -1;
+  if (!(value >= low && value <= high)) return -1;
   return std::min(cells - 1, static_cast<int>((value - low) / (high - low) * cells));
 }
 

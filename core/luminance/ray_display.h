@@ -100,7 +100,7 @@ struct ObserverSamples {
   double step_y_m() const { return (y_max_m - y_min_m) / rows; }
   /// Sample number row·columns + column.
   ObserverPosition position(int sample) const;
-  /// The sample whose cell holds the position; −1 outside the range.
+  /// The sample whose cell holds the position, both ends of the range included; −1 outside.
   int nearest(ObserverPosition position) const;
 };
 

@@ -21,13 +21,15 @@ HWY_BEFORE_NAMESPACE();
 namespace plenolab {
 namespace HWY_NAMESPACE {
 
-/// out = c·s/(1 + s·L) with s = α/L̄, cut to 1; returns how many values were cut.
-std::int64_t MapPixels(const Rgb* from, Rgb* to, std::size_t count, float scale) {
+/// out = c/(m + L) with m = L̄/α, cut to 1; returns how many values were cut. That is c·s/(1 + s·L) with
+/// s = 1/m, but neither a product nor a sum leaves float's range: all is taken times `by`, m too.
+std::int64_t MapPixels(const Rgb* from, Rgb* to, std::size_t count, float middle, float by) {
   const Floats d;
-  const Vec one = C(1.0f);
+  const Vec one = C(1.0f), scale = C(by);
   std::size_t cut = 0;
   VisitPixels(from, count, [&](Vec r, Vec g, Vec b, std::size_t i, LaneMask) {
-    const Vec ratio = hn::Div(C(scale), MulThenAdd(C(scale), Luminance(r, g, b), one));
+    r = hn::Mul(r, scale), g = hn::Mul(g, scale), b = hn::Mul(b, scale);
+    const Vec ratio = hn::Div(one, hn::Add(C(middle), Luminance(r, g, b)));
     const Vec red = hn::Mul(r, ratio), green = hn::Mul(g, ratio), blue = hn::Mul(b, ratio);
     cut += hn::CountTrue(d, hn::Gt(red, one)) + hn::CountTrue(d, hn::Gt(green, one)) +
            hn::CountTrue(d, hn::Gt(blue, one));
@@ -47,11 +49,14 @@ namespace {
 
 HWY_EXPORT(MapPixels);
 
+/// A power of two, so that the brightest float fits beside m.
+constexpr float kScale = 1.0f / 16;
+
 std::int64_t map_pixels(const Rgb* from, Rgb* to, int count, double key, double ln_luminance) {
-  // In float's range whatever L̄ is.
-  const double scale = std::clamp(key * std::exp(-ln_luminance), 1e-37, 1e37);
+  // Its inverse, too, must be within float's range, whatever L̄ is.
+  const double middle = std::clamp(static_cast<double>(kScale) * std::exp(ln_luminance) / key, 3e-39, 3e38);
   return HWY_DYNAMIC_DISPATCH(MapPixels)(from, to, static_cast<std::size_t>(count),
-                                         static_cast<float>(scale));
+                                         static_cast<float>(middle), kScale);
 }
 
 }  // namespace

@@ -57,8 +57,9 @@ ReinhardGlobalParameters fit(const ReinhardGlobalOptions& options, const ImageSt
 }
 
 ToneMapped apply(const ReinhardGlobalParameters& p, const SceneImage& view, int threads) {
-  // Between the ends of float, so that neither a dark nor a bright light field gives 0·∞.
-  const float scale = static_cast<float>(std::clamp(p.key * std::pow(10.0, -p.log_average), 1e-37, 1e37));
+  // Between the ends of float, so that neither a dark nor a bright light field gives 0·∞; its smallest values
+  // have few digits, but are right for the brightest light fields.
+  const float scale = static_cast<float>(std::clamp(p.key * std::pow(10.0, -p.log_average), 1e-44, 3e38));
   const float bend = p.white ? static_cast<float>(std::min(1 / (*p.white * *p.white), 1e18)) : 0.0f;
   return map_rows(
       view, threads,

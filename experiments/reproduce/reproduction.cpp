@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "experiments/cli/suggest.h"
+#include "experiments/reproduce/exhibits/exhibits.h"
 
 namespace plenolab {
 
@@ -67,22 +69,37 @@ const char* title_of(Chapter chapter) {
   return "";
 }
 
+namespace {
+
+/// One sentence on an id that is none, with where to look instead.
+std::string unknown_item(const std::string& id, const std::vector<std::string>& known) {
+  const auto [paper, exhibit] = exhibit_called(id);
+  if (exhibit && *exhibit->item)
+    return fmt::format("'{}' is no item of its own: {} of {} is in '{}'", id, exhibit->name, paper->name,
+                       exhibit->item);
+  if (exhibit)
+    return fmt::format("{} of {} is not reproduced ({}: {})", exhibit->name, paper->name,
+                       name_of(exhibit->status), exhibit->note);
+  return fmt::format("there is no reproduction '{}'{} 'plenolab reproduce --list' lists all {}", id,
+                     did_you_mean(id, known).empty() ? ";" : did_you_mean(id, known), known.size());
+}
+
+}  // namespace
+
 std::vector<const Reproduction*> select_reproductions(const std::vector<std::string>& ids) {
-  const auto wanted = [&](const char* id) {
+  const auto is_wanted = [&](const std::string& id) {
     return ids.empty() || std::find(ids.begin(), ids.end(), id) != ids.end() ||
            std::find(ids.begin(), ids.end(), "all") != ids.end();
   };
   std::vector<const Reproduction*> chosen;
-  std::string known;
+  std::vector<std::string> known;
   for (const Reproduction& item : reproductions()) {
-    known += (known.empty() ? "" : ", ") + std::string(item.id);
-    if (wanted(item.id)) chosen.push_back(&item);
+    known.emplace_back(item.id);
+    if (is_wanted(item.id)) chosen.push_back(&item);
   }
-  for (const std::string& id : ids) {
-    const bool is_known = id == "all" || std::any_of(reproductions().begin(), reproductions().end(),
-                                                     [&](const Reproduction& item) { return id == item.id; });
-    if (!is_known) throw UsageError(fmt::format("there is no reproduction '{}'; there are: {}", id, known));
-  }
+  for (const std::string& id : ids)
+    if (id != "all" && std::find(known.begin(), known.end(), id) == known.end())
+      throw UsageError(unknown_item(id, known));
   return chosen;
 }
 

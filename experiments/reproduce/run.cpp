@@ -45,7 +45,15 @@ std::string claims_text(const std::vector<LedgerEntry>& ledger) {
   return text;
 }
 
-ReportSection section_of(const FinishedReproduction& finished) {
+/// How to run an item alone, and how long it took here. Later items of a run find made what they share with
+/// earlier ones.
+std::string run_alone_text(const FinishedReproduction& finished, bool first) {
+  return fmt::format("Run alone: plenolab reproduce {} ({} here{}).", finished.item->id,
+                     format_duration(finished.seconds),
+                     first ? "" : ", without what earlier items of this run had made that it shares");
+}
+
+ReportSection section_of(const FinishedReproduction& finished, bool first) {
   ReportSection section;
   section.title = finished.item->title;
   section.chapter = title_of(finished.item->chapter);
@@ -56,8 +64,7 @@ ReportSection section_of(const FinishedReproduction& finished) {
   if (const std::string text = paragraph_of(finished.result); !text.empty())
     section.blocks.emplace_back(Paragraph{text});
   for (const ReportBlock& block : finished.result.blocks) section.blocks.push_back(block);
-  section.blocks.emplace_back(Paragraph{fmt::format("Run alone: plenolab reproduce {} ({} here).",
-                                                    finished.item->id, format_duration(finished.seconds))});
+  section.blocks.emplace_back(Paragraph{run_alone_text(finished, first)});
   return section;
 }
 
@@ -127,7 +134,10 @@ ReportSection effort_section(const Laboratory& laboratory,
   section.blocks.emplace_back(
       Paragraph{fmt::format("Effort {}: {}, {} views from the cache.", name_of(laboratory.options().effort),
                             rendered, tally.from_cache)});
-  ReportTable table{"Time of each item, rendering included", {"item", "seconds", "outcome"}, {}, 3};
+  ReportTable table{"Time of each item, with what it was the first to need: rendering, and what items share",
+                    {"item", "seconds", "outcome"},
+                    {},
+                    3};
   for (const FinishedReproduction& f : finished)
     table.rows.push_back(
         {std::string(f.item->id), f.seconds, f.failure.empty() ? std::string("done") : f.failure});
@@ -187,7 +197,8 @@ Report assemble_report(const std::vector<FinishedReproduction>& finished, const 
     for (const LedgerEntry& entry : f.result.ledger) ledger.push_back(entry);
   }
   if (!ledger.empty()) report.sections.push_back(ledger_section(ledger));
-  for (const FinishedReproduction& f : finished) report.sections.push_back(section_of(f));
+  for (const FinishedReproduction& f : finished)
+    report.sections.push_back(section_of(f, &f == &finished.front()));
   report.sections.push_back(effort_section(laboratory, finished));
   report.provenance = provenance;
   return report;

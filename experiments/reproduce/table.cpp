@@ -137,6 +137,7 @@ ReproductionResult reproduce_adapted_slopes(Laboratory& laboratory);
 ReproductionResult reproduce_lut_storage(Laboratory& laboratory);
 ReproductionResult reproduce_natural_histograms(Laboratory& laboratory);
 ReproductionResult reproduce_game_histograms(Laboratory& laboratory);
+ReproductionResult reproduce_sky_flicker(Laboratory& laboratory);
 ReproductionResult reproduce_pq_curve(Laboratory& laboratory);
 ReproductionResult reproduce_generic_parameters(Laboratory& laboratory);
 ReproductionResult reproduce_tuned_images(Laboratory& laboratory);
@@ -306,6 +307,8 @@ std::span<const Reproduction> reproductions() {
                    reproduce_game_histograms},
       Reproduction{"zhao-fig-7", "Figure 7: perceptual quantisation against gamma 2.4",
                    Chapter::kOptimisation, reproduce_pq_curve},
+      Reproduction{"zhao-fig-9", "Figure 9: flicker from a small change of the sky", Chapter::kOptimisation,
+                   reproduce_sky_flicker},
       Reproduction{"zhao-fig-15", "Figure 15: game-like frames by three methods", Chapter::kOptimisation,
                    reproduce_tuned_images},
       Reproduction{"zhao-table-2", "Table 2: DRIM distortion of ten game-like sequences",

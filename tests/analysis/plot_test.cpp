@@ -132,6 +132,44 @@ TEST(Plot, DrawsASinglePointOnAnyAxis) {
   }
 }
 
+/// Values at which an axis has labelled ticks.
+std::vector<double> ticks_of(const PlotAxis& axis, double low, double high) {
+  const std::string text = detail::axis_commands("y", axis, low, high);
+  const std::regex tick("'([^']*)' ([^,)]*)");
+  std::vector<double> values;
+  for (std::sregex_iterator
+           it(text.begin() + static_cast<std::ptrdiff_t>(text.find("ytics")), text.end(), tick),
+       end;
+       it != end; ++it) {
+    EXPECT_EQ((*it)[1], (*it)[2]);
+    values.push_back(std::stod((*it)[2]));
+  }
+  return values;
+}
+
+TEST(PlotStyle, ShortLogarithmicAxesHaveThreeToTenLabels) {
+  const PlotAxis axis{"Luminance", "cd/m²", true, {}, {}};
+  for (const auto& [low, high] : {std::pair{150.0, 420.0},
+                                  {0.15, 0.4},
+                                  {7.0, 30.0},
+                                  {82.5, 468.0},
+                                  {1.0, 900.0},
+                                  {2.0, 2.0},
+                                  {0.0991, 0.0992},
+                                  {1e-12, 3e-12},
+                                  {4e6, 6e8}}) {
+    const std::vector<double> ticks = ticks_of(axis, low, high);
+    EXPECT_GE(ticks.size(), 3u) << low << " to " << high;
+    EXPECT_LE(ticks.size(), 10u) << low << " to " << high;
+    for (const double tick : ticks) {
+      EXPECT_GE(tick, low / 2) << low;
+      EXPECT_LE(tick, 2 * high) << high;
+    }
+  }
+  const PlotAxis bounded{"Luminance", "cd/m²", true, 100.0, 300.0};
+  EXPECT_EQ(ticks_of(bounded, 150, 200), (std::vector<double>{100, 150, 200, 300}));
+}
+
 TEST(Plot, RefusesWhatCannotBeDrawn) {
   EXPECT_THROW(plot_svg(Plot{}), InputError);
   Plot plot = sweep();

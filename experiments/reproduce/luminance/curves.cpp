@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "analysis/statistics.h"
+#include "experiments/reproduce/luminance/figure_words.h"
 #include "experiments/reproduce/luminance/luminance_tools.h"
 
 namespace plenolab {
@@ -15,6 +16,28 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory);
 namespace {
 
 const PlotAxis kLine{.title = "Position on the observers' line", .unit = "m"};
+
+std::optional<std::pair<double, double>> extent_of(const PlotSeries& series) {
+  if (series.points.empty()) return std::nullopt;
+  const auto [low, high] =
+      std::minmax_element(series.points.begin(), series.points.end(),
+                          [](const PlotPoint& a, const PlotPoint& b) { return a.y < b.y; });
+  return std::pair{low->y, high->y};
+}
+
+/// What the curves look like, for those who do not see them.
+std::string alt_text(const Plot& plot, const char* quantity, const char* unit) {
+  std::string text = std::string(quantity) + " over the position of the observer:";
+  for (std::size_t s = 0; s < plot.series.size(); ++s) {
+    const auto extent = extent_of(plot.series[s]);
+    if (!extent) continue;
+    const std::string low = fmt::format("{:.3g}", extent->first),
+                      high = fmt::format("{:.3g}", extent->second);
+    text += fmt::format("{} {} {} {}", s == 0 ? "" : ";", plot.series[s].title,
+                        low == high ? low : fmt::format("between {} and {}", low, high), unit);
+  }
+  return text + ".";
+}
 
 ReportPlot estimate_plot(LuminanceBench& bench, const std::string& id) {
   Plot plot;
@@ -29,14 +52,14 @@ ReportPlot estimate_plot(LuminanceBench& bench, const std::string& id) {
   }
   PlotSeries truth{"of the true picture", PlotSeries::Style::kPoints, {}};
   const auto& scores = bench.scores(id);
+  const GlobalLuminance& brute = bench.estimate(id, bench.method_options(LuminanceMethod::kBruteForce));
   for (std::size_t i = 0; i < scores.x_m.size(); ++i)
-    if (const auto ln =
-            bench.estimate(id, bench.method_options(LuminanceMethod::kBruteForce)).ln_at({scores.x_m[i], 0}))
-      truth.points.push_back({scores.x_m[i], std::exp(*ln - scores.ln_error[kOfBruteForce][i])});
-  plot.series.push_back(std::move(truth));
-  return {
-      plot, fmt::format("Estimated luminance along the observers' line, scene {}", bench.title(id)),
-      "A level line for All; BruteForce, Accumulative and Spread follow the luminance of the true picture."};
+    if (const auto ln = difference(brute.ln_at({scores.x_m[i], 0}), scores.ln_error[kOfBruteForce][i]))
+      truth.points.push_back({scores.x_m[i], std::exp(*ln)});
+  // A scene without any pixel above ε has no such points.
+  if (!truth.points.empty()) plot.series.push_back(std::move(truth));
+  return {plot, fmt::format("Estimated luminance along the observers' line, scene {}", bench.title(id)),
+          alt_text(plot, "Luminance", "cd/m²")};
 }
 
 /// One sentence on a scene's curves.
@@ -58,23 +81,19 @@ std::string curve_sentence(LuminanceBench& bench, const std::string& id, Reprodu
   return text + " cd/m².";
 }
 
-double rms(const std::vector<double>& values) {
-  double squares = 0;
-  for (const double v : values) squares += v * v;
-  return std::sqrt(squares / static_cast<double>(values.size()));
-}
-
 /// RMS distance in ln from the log average of the true pictures, by method.
 std::string truth_sentence(LuminanceBench& bench, const std::string& id, ReproductionResult& result) {
   std::string text = bench.title(id);
   const auto& errors = bench.scores(id).ln_error;
   for (std::size_t m = 0; m < errors.size(); ++m) {
-    const double error = rms(errors[m]);
+    const std::optional<double> error = rms_of_defined(errors[m]);
+    text += fmt::format("{} {} {}", m == 0 ? ":" : ",", paper_name(bench.methods()[m]),
+                        error ? fmt::format("{:.3f}", *error) : "undefined");
+    if (!error) continue;
     result.rows.add({"ln_rms_to_truth",
-                     error,
+                     *error,
                      "1",
                      {{"scene", id}, {"method", std::string(name_of(bench.methods()[m]))}}});
-    text += fmt::format("{} {} {:.3f}", m == 0 ? ":" : ",", paper_name(bench.methods()[m]), error);
   }
   return text;
 }
@@ -105,7 +124,7 @@ ReportPlot psnr_plot(LuminanceBench& bench, const std::string& id, bool ground_t
   return {plot,
           fmt::format("PSNR of the tone mapped display against {}, scene {}",
                       ground_truth ? "GroundTruth" : "OnResult", bench.title(id)),
-          "PSNR of the methods over the position of the observer."};
+          alt_text(plot, "PSNR", "dB")};
 }
 
 /// Mean over the line by method and reference, filed and in words.
@@ -132,6 +151,34 @@ std::string psnr_sentence(LuminanceBench& bench, const std::string& id, Reproduc
     text += " dB";
   }
   return text + ".";
+}
+
+/// What the paper's figure 3 shows, by our curves.
+std::string figure_3_words(LuminanceBench& bench, const std::string& id) {
+  const auto measures = [&](LuminanceMethod method) {
+    return measure_curve(bench.estimate(id, bench.method_options(method)));
+  };
+  const CurveMeasures brute = measures(LuminanceMethod::kBruteForce),
+                      accumulated = measures(LuminanceMethod::kAccumulative);
+  const auto& errors = bench.scores(id).ln_error;
+  return compare_with_figure_3({.title = bench.title(id),
+                                .brute_range = brute.range,
+                                .accumulative_range = accumulated.range,
+                                .brute_variation = brute.total_variation,
+                                .accumulative_variation = accumulated.total_variation,
+                                .all_to_truth = rms_of_defined(errors[kOfAll]),
+                                .brute_to_truth = rms_of_defined(errors[kOfBruteForce])});
+}
+
+std::string figure_4_words(LuminanceBench& bench, const std::string& id, bool ground_truth) {
+  const auto& scores = bench.scores(id);
+  const auto& db = scores_against(scores, ground_truth);
+  return compare_with_figure_4({.title = bench.title(id),
+                                .reference = ground_truth ? "GroundTruth" : "OnResult",
+                                .x_m = scores.x_m,
+                                .all_db = db[kOfAll],
+                                .brute_db = db[kOfBruteForce],
+                                .accumulative_db = db[kOfAccumulative]});
 }
 
 /// Mean gain over Accumulative over the positions of all scenes, dB.
@@ -170,8 +217,9 @@ ReproductionResult reproduce_estimated_luminance(Laboratory& laboratory) {
     to_truth += fmt::format("{}{}", to_truth.empty() ? "" : "; ", truth_sentence(bench, id, result));
   add_sentence(result.ours_shows,
                fmt::format("RMS distance in ln from the log average of the true picture: {}.", to_truth));
-  result.differs = fmt::format(
-      "The scenes are our own, built to the paper's words; so are the projectors and the diffuser, of which "
+  for (const std::string& id : bench.scene_ids()) add_sentence(result.differs, figure_3_words(bench, id));
+  result.differs += fmt::format(
+      " The scenes are our own, built to the paper's words; so are the projectors and the diffuser, of which "
       "it says nothing. BruteForce and Accumulative are at most {:.2f} apart in ln, a factor of {:.2f}. "
       "Spread is what the paper suggests and did not build.",
       apart, std::exp(apart));
@@ -190,9 +238,11 @@ ReproductionResult reproduce_psnr_along_the_line(Laboratory& laboratory) {
       result.add_plot(fmt::format("psnr-{}-{}", id, ground_truth ? "ground-truth" : "on-result"),
                       psnr_plot(bench, id, ground_truth));
   }
+  for (const bool ground_truth : {false, true})
+    add_sentence(result.differs, figure_4_words(bench, "pillars", ground_truth));
   const double to_truth = lead_of_brute_force(bench, true), to_result = lead_of_brute_force(bench, false);
-  result.differs = fmt::format(
-      "The paper measures Pillars only. Over both scenes BruteForce is {:.2f} dB {} than Accumulative "
+  result.differs += fmt::format(
+      " The paper measures Pillars only. Over both scenes BruteForce is {:.2f} dB {} than Accumulative "
       "against OnResult and {:.2f} dB {} against GroundTruth.{}",
       std::abs(to_result), to_result > 0 ? "better" : "worse", std::abs(to_truth),
       to_truth > 0 ? "better" : "worse",

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/luminance/projector_display.h"
+#include "experiments/reproduce/luminance/luminance_tools.h"
 #include "stimuli/scenes/table.h"
 
 namespace plenolab {
@@ -82,14 +83,14 @@ LuminanceBench::Scores LuminanceBench::score(const std::string& id) {
   for (const LuminanceMethod method : methods()) {
     const GlobalLuminance& estimated = estimate(id, method_options(method));
     const DisplayRays mapped = map_rays(*shown.display, shown.rays, estimated, {}, options_.threads).light;
-    std::vector<double> truth_db, result_db, ln_error;
+    std::vector<double> truth_db, result_db;
+    std::vector<std::optional<double>> ln_error;
     for (std::size_t i = 0; i < references.size(); ++i) {
       const ObserverPosition at{scores.x_m[i], 0};
       const DisplayLightImage seen = perceive(*shown.display, mapped, at, size, options_.threads).image;
       truth_db.push_back(light_psnr_db(seen, references[i].ground_truth));
       result_db.push_back(light_psnr_db(seen, references[i].on_result));
-      const auto ln = estimated.ln_at(at);
-      ln_error.push_back(ln && references[i].ln_truth ? *ln - *references[i].ln_truth : 0);
+      ln_error.push_back(difference(estimated.ln_at(at), references[i].ln_truth));
     }
     scores.ground_truth_db.push_back(std::move(truth_db));
     scores.on_result_db.push_back(std::move(result_db));

@@ -29,7 +29,9 @@ class LuminanceBench {
     std::vector<double> x_m;
     /// By method, in the order of methods().
     std::vector<std::vector<double>> ground_truth_db, on_result_db;
-    std::vector<std::vector<double>> ln_error;  ///< estimated ln L̄ − that of the ground truth's picture
+    /// Estimated ln L̄ − that of the ground truth's picture, by method; nothing where that picture has no
+    /// pixel above ε or nothing is estimated.
+    std::vector<std::vector<std::optional<double>>> ln_error;
   };
 
   /// "sphere" and "pillars".

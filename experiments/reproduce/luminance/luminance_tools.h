@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,15 @@ void conclude_on(ReproductionResult& result, std::vector<std::string> scenes, Cl
 /// The scores of both references, one after the other.
 const std::vector<std::vector<double>>& scores_against(const LuminanceBench::Scores& scores,
                                                        bool ground_truth);
+
+/// "falls from 0.8 to 0.5" if every value is below the one before, "grows …" if above, else "goes over …".
+std::string trend_text(const std::vector<double>& values);
+
+/// a − b; nothing where one of them is not defined.
+std::optional<double> difference(std::optional<double> a, std::optional<double> b);
+
+/// Root mean square of the values that are defined; nothing if none is.
+std::optional<double> rms_of_defined(const std::vector<std::optional<double>>& values);
 
 /// a − b, element by element.
 std::vector<double> minus(const std::vector<double>& a, const std::vector<double>& b);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "analysis/psychophysics/welch.h"
 #include "experiments/reproduce/optimisation/luminance_histograms.h"
 #include "experiments/reproduce/optimisation/tuning_tools.h"
 
@@ -38,11 +37,6 @@ std::string shape_sentence(const std::vector<HistogramSource>& images) {
       images.size());
 }
 
-std::size_t photographs_in(const std::vector<HistogramSource>& images) {
-  return static_cast<std::size_t>(
-      std::count_if(images.begin(), images.end(), [](const HistogramSource& s) { return s.photograph; }));
-}
-
 std::string natural_text(const std::vector<HistogramSource>& images) {
   const std::size_t photographs = photographs_in(images);
   const std::string stand_ins = fmt::format(
@@ -50,23 +44,18 @@ std::string natural_text(const std::vector<HistogramSource>& images) {
       "textures as photographs have but are rendered themselves",
       images.size() - photographs);
   if (photographs == 0)
-    return fmt::format("Photographs were not at hand (PLENOLAB_OUTSIDE_DATA): their places are taken by {}.",
+    return fmt::format("No photograph was at hand (PLENOLAB_OUTSIDE_DATA): their places are taken by {}.",
                        stand_ins);
   return fmt::format("Of photographs {} was at hand; the other places are taken by {}.", photographs,
                      stand_ins);
 }
 
-/// Game-like less natural, Welch's interval: single images are independent.
+/// Files the verdict on a measure, game-like less natural.
 Outcome conclude_shape(ReproductionResult& result, const std::vector<HistogramSource>& games,
                        const std::vector<HistogramSource>& natural, ShapeValue value, Claim claim,
                        const std::string& quantity, const std::string& note) {
-  const WelchTest test = welch_test(summarise(values_of(games, value)), summarise(values_of(natural, value)));
-  Verdict verdict = decide_claim(
-      test.difference, Comparison::kAbove, 0, quantity, "1",
-      fmt::format("95 % Welch interval, {} game-like and {} other images", games.size(), natural.size()));
-  verdict.scenes = {"game-like sequences", "natural images"};
-  verdict.explanation =
-      fmt::format("The difference of the means is {}. {}", interval_text(test.difference), note);
+  Verdict verdict = decide_spikiness(games, natural, value, quantity);
+  if (photographs_in(natural) > 0) verdict.explanation += " " + note;
   const Outcome outcome = verdict.outcome;
   conclude(result, std::move(claim), std::move(verdict));
   return outcome;
@@ -96,7 +85,9 @@ Plot shape_plot(const std::vector<HistogramSource>& natural, const std::vector<H
 ReproductionResult reproduce_natural_histograms(Laboratory& laboratory) {
   ReproductionResult result;
   const std::vector<HistogramSource> images = natural_images(laboratory);
-  add_histograms(result, images, "natural", "Photographs and scenes in their place");
+  add_histograms(result, images, "natural",
+                 photographs_in(images) > 0 ? "Photographs and scenes in their place"
+                                            : "Path-traced scenes in the place of photographs");
   result.paper_shows =
       "Figure 5: natural HDR images of the database TMIQD, tone mapped by Reinhard's operator, and their "
       "histograms of log luminance, which are not spiky.";
@@ -143,9 +134,12 @@ ReproductionResult reproduce_claim_z1(Laboratory& laboratory) {
   result.ours_shows =
       fmt::format("Game-like frames: {} Others: {}", shape_sentence(games), shape_sentence(natural));
   result.differs = fmt::format(
-      "Concentration: {}; jaggedness: {}. {} Game-like frames were made to look like what the thesis "
+      "Concentration: {}; jaggedness: {}.{} {} Game-like frames were made to look like what the thesis "
       "describes, so that the verdict says what that way of drawing does, not how all games look.",
-      outcome_name(concentrated), outcome_name(jagged), note);
+      outcome_name(concentrated), outcome_name(jagged),
+      photographs_in(natural) > 0 ? ""
+                                  : " Rendered against rendered does not decide a claim about photographs.",
+      note);
   return result;
 }
 

@@ -7,10 +7,12 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "analysis/psychophysics/welch.h"
 #include "core/image/colour.h"
 #include "core/tonemap/input_policy.h"
 #include "core/tonemap/reinhard_global.h"
 #include "experiments/optimise/tone_optimiser.h"
+#include "experiments/reproduce/claims/geometry_measure.h"
 #include "experiments/score.h"
 #include "experiments/tonemap_fit.h"
 
@@ -85,6 +87,34 @@ std::vector<HistogramSource> natural_images(Laboratory& laboratory) {
     add_source(sources, id, false, of_equal_size(view->colour, bench));
   }
   return sources;
+}
+
+std::size_t photographs_in(const std::vector<HistogramSource>& images) {
+  return static_cast<std::size_t>(
+      std::count_if(images.begin(), images.end(), [](const HistogramSource& s) { return s.photograph; }));
+}
+
+Verdict decide_spikiness(const std::vector<HistogramSource>& games,
+                         const std::vector<HistogramSource>& natural, double HistogramShape::*measure,
+                         const std::string& quantity) {
+  const auto summary = [&](const std::vector<HistogramSource>& images) {
+    std::vector<double> values;
+    for (const HistogramSource& source : images) values.push_back(source.shape.*measure);
+    return summarise(values);
+  };
+  const Interval difference = welch_test(summary(games), summary(natural)).difference;
+  const std::string measured = fmt::format("The difference of the means is {}.", interval_text(difference));
+  if (photographs_in(natural) == 0)
+    return undecidable(
+        fmt::format("No photograph was at hand (PLENOLAB_OUTSIDE_DATA); rendered frames were "
+                    "compared with rendered scenes. {}",
+                    measured));
+  Verdict verdict = decide_claim(
+      difference, Comparison::kAbove, 0, quantity, "1",
+      fmt::format("95 % Welch interval, {} game-like and {} other images", games.size(), natural.size()));
+  verdict.scenes = {"game-like sequences", "natural images"};
+  verdict.explanation = measured;
+  return verdict;
 }
 
 std::vector<HistogramSource> game_images(Laboratory& laboratory) {

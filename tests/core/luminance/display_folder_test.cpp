@@ -80,6 +80,16 @@ TEST_F(DisplayFolderTest, SaysWhichFileAndKeyIsWrong) {
   expect_refused("missing.exr");
 }
 
+TEST_F(DisplayFolderTest, ScalesImagesByTheirWhiteLuminanceUnlessTold) {
+  const ProjectorDisplay display = small_projectors(2, 3, 2);
+  const SceneRays rays = write(display);
+  write_scene_image(folder_ / "projector-001.exr", image_of(rays, 1), 25.0);
+  const DisplayFolder read = read_display_folder(folder_);
+  EXPECT_EQ(read.rays.at({0, 2, 1}).g, 2);
+  EXPECT_EQ(read.rays.at({1, 2, 1}).g, 50);
+  EXPECT_EQ(read_display_folder(folder_, 3.0).rays.at({1, 2, 1}).g, 6);
+}
+
 TEST_F(DisplayFolderTest, RefusesImagesOfDifferentSizes) {
   write(small_projectors(2, 3, 2));
   fs::create_directories(folder_ / "other");

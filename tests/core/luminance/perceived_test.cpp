@@ -136,6 +136,35 @@ TEST(RayReinhard, StaysWithinTheDisplayAndCountsWhatItCuts) {
   EXPECT_GE(mapped.light.at({0, 1, 0}).r, 0);
 }
 
+TEST(RayReinhard, HoldsOverTheWholeRangeOfFloat) {
+  for (const float level : {1e-38f, 1e-20f, 1.0f, 1e20f, 3e38f}) {
+    // A grey at L̄ becomes α/(1 + α); what is far brighter white, what is far darker black.
+    SceneImage picture(9, 1);
+    for (int x = 0; x < 9; ++x) picture.at(x, 0) = {level, level, level};
+    picture.at(7, 0) = {3e38f, 3e38f, 3e38f};
+    picture.at(8, 0) = {0, 0, 0};
+    const auto mapped = map_picture(picture, std::log(static_cast<double>(level)), {.key = 0.18});
+    EXPECT_NEAR(mapped.light.at(0, 0).g, 0.18f / 1.18f, 1e-5f) << level;
+    EXPECT_GE(mapped.light.at(7, 0).g, 0.18f / 1.18f - 1e-5f) << level;
+    EXPECT_LE(mapped.light.at(7, 0).g, 1) << level;
+    EXPECT_EQ(mapped.light.at(8, 0), Rgb{}) << level;
+  }
+}
+
+TEST(RayReinhard, BrighterPixelsAreNeverShownDarker) {
+  SceneImage picture(78, 1);
+  for (int x = 0; x < 78; ++x) {
+    const float v = static_cast<float>(3 * std::pow(10.0, x - 39));
+    picture.at(x, 0) = {v, v, v};
+  }
+  for (const double average : {1e-30, 1.0, 1e30}) {
+    const auto mapped = map_picture(picture, std::log(average));
+    for (int x = 1; x < 78; ++x)
+      EXPECT_GE(mapped.light.at(x, 0).g, mapped.light.at(x - 1, 0).g - 1e-6f) << x << " " << average;
+    EXPECT_GT(mapped.light.at(77, 0).g, 0.9f) << average;
+  }
+}
+
 TEST(RayReinhard, LeavesAFieldWithoutLuminanceBlackAndSaysSo) {
   const ProjectorDisplay display = small_projectors(2, 4, 3);
   const SceneRays black(display.size());

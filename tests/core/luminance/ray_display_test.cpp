@@ -177,8 +177,18 @@ TEST(ObserverSamples, AreTheMiddlesOfCellsThatCoverTheRange) {
   EXPECT_NEAR(samples.position(999).x_m, 4.995, 1e-12);
   for (const int j : {0, 1, 499, 999}) EXPECT_EQ(samples.nearest(samples.position(j)), j);
   EXPECT_EQ(samples.nearest({-5.0001, 0}), -1);
-  EXPECT_EQ(samples.nearest({5, 0}), -1);
+  EXPECT_EQ(samples.nearest({-5, 0}), 0);
+  EXPECT_EQ(samples.nearest({5, 0}), 999);
+  EXPECT_EQ(samples.nearest({5.0001, 0}), -1);
   EXPECT_EQ(samples.nearest({std::nan(""), 0}), -1);
+}
+
+TEST(MultiViewDisplay, ObserversAtBothEndsOfTheRangeSeeTheOutermostViews) {
+  const MultiViewDisplay display(
+      {.space = {.x_min_m = -0.5, .x_max_m = 0.5}, .views = 4, .width = 3, .height = 2});
+  EXPECT_EQ(display.weight({0, 1, 1}, {-0.5, 0}), 1);
+  EXPECT_EQ(display.weight({3, 1, 1}, {0.5, 0}), 1);
+  EXPECT_EQ(display.weight({3, 1, 1}, {0.5001, 0}), 0);
 }
 
 TEST(RayDisplay, SaysInASentenceWhatIsWrong) {

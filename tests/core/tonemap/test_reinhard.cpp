@@ -89,6 +89,15 @@ TEST(ReinhardGlobal, DoesNotDependOnTheUnitOfRadiance) {
   EXPECT_LT(largest_difference(a, b), 1e-5);
 }
 
+TEST(ReinhardGlobal, HoldsOverTheWholeRangeOfFloat) {
+  for (const float level : {1e-37f, 1.0f, 3e38f}) {
+    SceneImage grey(5, 1);
+    for (Rgb& c : grey.pixels()) c = {level, level, level};
+    const ReinhardGlobalParameters p{.key = 0.18, .log_average = std::log10(static_cast<double>(level))};
+    EXPECT_NEAR(apply(p, grey).image.at(2, 0).g, std::pow(0.18f / 1.18f, 1 / 2.2f), 2e-4f) << level;
+  }
+}
+
 TEST(ReinhardDevlin, MatchesTheFormulaOnAHandComputedPixel) {
   ImageStatistics s;
   s.average_colour = {4, 2, 1};

@@ -53,9 +53,27 @@ TEST(TuningItems, AllSayWhatThePaperAndWeShowAndEveryClaimHasAVerdict) {
       EXPECT_FALSE(claim.verdict.explanation.empty()) << claim.claim.id;
     }
   }
-  EXPECT_EQ(items, 9);
+  EXPECT_EQ(items, 10);
   EXPECT_EQ(claims, (std::vector<std::string>{"Z-2a", "Z-2b", "Z-2c", "Z-2d", "Z-2e", "Z-2f", "Z-3a", "Z-3b",
                                               "Z-3c"}));
+}
+
+TEST(TuningItems, MoreSkyInTheFrameChangesHowASurfaceIsShown) {
+  Laboratory laboratory = small_laboratory();
+  const ReproductionResult flicker = select_reproductions({"zhao-fig-9"}).front()->run(laboratory);
+  std::vector<double> sky, average, luma;
+  for (const ResultRow& row : flicker.rows.rows()) {
+    if (row.quantity == "sky_share") sky.push_back(row.value);
+    if (row.quantity == "log_average_cd_m2") average.push_back(row.value);
+    if (row.quantity == "surface_luma") luma.push_back(row.value);
+  }
+  ASSERT_EQ(sky.size(), 9u);
+  for (std::size_t f = 1; f < sky.size(); ++f) {
+    EXPECT_GE(sky[f], sky[f - 1]) << "the camera tilts up";
+    // The photographic operator: a larger average shows the same luminance darker.
+    EXPECT_EQ(average[f] > average[f - 1], luma[f] < luma[f - 1]) << f;
+  }
+  EXPECT_GT(value_of(flicker, "largest_step_luma"), 0);
 }
 
 TEST(TuningItems, TheAuditFindsTheSlipsOfThePrintedTable) {
