@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <map>
 #include <memory>
 
 #include "core/base/error.h"
 #include "experiments/batch/commands.h"
+#include "experiments/batch/outputs.h"
 #include "experiments/batch/run.h"
 #include "experiments/cli/checks.h"
 
@@ -26,32 +29,92 @@ StoredItem find_item(const std::vector<std::string>& folders, const BatchItem& i
   return best;
 }
 
-/// The first missing ones, then how many more there are.
-std::string missing_text(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
-  constexpr int kMostNamed = 5;
+/// Why no folder has a result of an item.
+enum class Gap { kMissing, kDamaged, kOtherBuild, kOtherSettings };
+
+const char* text_of(Gap gap) {
+  switch (gap) {
+    case Gap::kDamaged:
+      return "damaged";
+    case Gap::kOtherBuild:
+      return "there from another build of plenolab only, whose sources or compiler differ";
+    case Gap::kOtherSettings:
+      return "there only for other pixels or a study with other metrics, viewing conditions, units or "
+             "repeats";
+    case Gap::kMissing:
+      break;
+  }
+  return "missing";
+}
+
+/// Titles of results of the folders that are of no item of the plan, and whether this build computed them.
+std::map<std::string, bool> other_titles(const std::vector<std::string>& folders, const BatchPlan& plan) {
+  std::map<std::string, bool> titles;
+  for (const std::string& folder : folders)
+    for (const ItemLabel& label : other_items(folder, plan)) {
+      bool& of_this_build = titles.try_emplace(label.title, false).first->second;
+      of_this_build = of_this_build || label.is_of_this_build;
+    }
+  return titles;
+}
+
+using Gaps = std::map<Gap, std::vector<std::string>>;
+
+/// Titles of the items that have no result.
+Gaps find_gaps(const BatchPlan& plan, const std::vector<StoredItem>& stored,
+               const std::vector<std::string>& folders) {
+  Gaps gaps;
+  if (std::none_of(stored.begin(), stored.end(), is_open)) return gaps;
+  const std::map<std::string, bool> others = other_titles(folders, plan);
+  for (std::size_t i = 0; i < stored.size(); ++i) {
+    if (!is_open(stored[i])) continue;
+    const std::string title = plan.title(plan.items[i]);
+    const auto other = others.find(title);
+    Gap gap = stored[i].state == ItemState::kDamaged ? Gap::kDamaged : Gap::kMissing;
+    if (gap == Gap::kMissing && other != others.end())
+      gap = other->second ? Gap::kOtherSettings : Gap::kOtherBuild;
+    gaps[gap].push_back(title);
+  }
+  return gaps;
+}
+
+/// For each reason the first items, then how many more there are.
+std::string gaps_text(const Gaps& gaps, std::size_t items) {
+  constexpr std::size_t kMostNamed = 5;
   std::string text;
-  int missing = 0;
-  for (std::size_t i = 0; i < stored.size(); ++i)
-    if (stored[i].state < ItemState::kFailed && ++missing <= kMostNamed)
-      text += (text.empty() ? "" : "; ") + plan.title(plan.items[i]);
-  if (missing > kMostNamed) text += fmt::format("; and {} more", missing - kMostNamed);
-  return missing == 0 ? "" : fmt::format("{} of {} items are missing: {}", missing, stored.size(), text);
+  for (const auto& [gap, titles] : gaps) {
+    text += fmt::format("{}{} of {} items are {}: ", text.empty() ? "" : "; ", titles.size(), items,
+                        text_of(gap));
+    for (std::size_t i = 0; i < std::min(kMostNamed, titles.size()); ++i)
+      text += (i == 0 ? "" : "; ") + titles[i];
+    if (titles.size() > kMostNamed) text += fmt::format("; and {} more", titles.size() - kMostNamed);
+  }
+  return text;
+}
+
+void require_results(const std::string& folder) {
+  std::error_code error;
+  if (!fs::exists(folder, error)) throw InputError(fmt::format("{} does not exist", folder));
+  if (!fs::is_directory(folder, error)) throw InputError(fmt::format("{} is not a folder", folder));
+  if (!fs::is_directory(fs::path(folder) / kItemsFolder, error))
+    throw InputError(
+        fmt::format("{} holds no results of a batch: it has no folder {}", folder, kItemsFolder));
 }
 
 void run_merge(const Invocation& invocation, const MergeOptions& options, const CLI::App& app) {
-  for (const std::string& folder : options.folders)
-    if (!fs::is_directory(fs::path(folder) / "items"))
-      throw InputError(fmt::format("{} holds no results of a batch", folder));
+  for (const std::string& folder : options.folders) require_results(folder);
   require_batch_folder(options.out);
   const BatchPlan plan = plan_of(options, app);
   Provenance provenance = begin_batch(invocation, options, plan);
+  remove_outdated_outputs(plan, options.out, options.common);
   std::vector<StoredItem> stored;
   for (const BatchItem& item : plan.items) {
     stored.push_back(find_item(options.folders, item));
-    if (stored.back().state >= ItemState::kFailed) write_item(options.out, plan, item, stored.back().result);
+    if (!is_open(stored.back())) write_item(options.out, plan, item, stored.back().result);
   }
-  if (const std::string missing = missing_text(plan, stored); !missing.empty())
-    throw InputError(fmt::format("{}; 'plenolab batch run' with -o {} computes them", missing, options.out));
+  if (const Gaps gaps = find_gaps(plan, stored, options.folders); !gaps.empty())
+    throw InputError(fmt::format("{}; 'plenolab batch run' with -o {} computes them",
+                                 gaps_text(gaps, stored.size()), options.out));
   finish_batch(plan, stored, options.out, provenance, options.common);
 }
 

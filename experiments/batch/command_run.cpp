@@ -36,8 +36,12 @@ BatchTally run_with_bar(const BatchPlan& plan, const RunOptions& options) {
   return run_batch(plan, run);
 }
 
-bool is_open(const StoredItem& item) {
-  return item.state == ItemState::kMissing || item.state == ItemState::kDamaged;
+std::string tally_text(const BatchTally& tally) {
+  std::string text = fmt::format("{} items: {} were there, {} computed, {} failed", tally.items, tally.there,
+                                 tally.computed - tally.failed, tally.failed);
+  if (tally.shared > 0)
+    text += fmt::format(", {} share the result of another with the same input and settings", tally.shared);
+  return text;
 }
 
 void require_none_failed(const BatchTally& tally, const std::string& folder) {
@@ -54,11 +58,11 @@ void run_batch_command(const Invocation& invocation, const RunOptions& options, 
   const BatchPlan plan = plan_of(options, app);
   Provenance provenance = begin_batch(invocation, options, plan);
   provenance.parameters["shard"] = options.shard;
+  remove_outdated_outputs(plan, options.out, options.common);
   say_on_stop(
       fmt::format("the results so far are kept in {}, and the same command goes on with them", options.out));
   const BatchTally tally = run_with_bar(plan, options);
-  tell(options.common, fmt::format("{} items: {} were there, {} computed, {} failed", tally.items,
-                                   tally.there, tally.computed - tally.failed, tally.failed));
+  tell(options.common, tally_text(tally));
   const std::vector<StoredItem> stored = read_items(plan, options.out);
   const auto open = std::count_if(stored.begin(), stored.end(), is_open);
   if (open == 0) return finish_batch(plan, stored, options.out, provenance, options.common);

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include <method_sources.h>
 #include "core/base/content_hash.h"
 #include "core/base/error.h"
 #include "core/base/file.h"
@@ -63,10 +65,23 @@ ItemResult result_of(const Json& json) {
           .seconds = json.at("seconds")};
 }
 
+std::optional<ItemLabel> read_label(const fs::path& file) {
+  try {
+    const Json json = Json::parse(read_text_file(file));
+    ItemLabel label{"", json.value("build", "") == method_sources::kHash};
+    for (const auto& word : json.at("item").items()) add_word(label.title, word.value());
+    return label;
+  } catch (const Json::exception&) {
+    return std::nullopt;
+  } catch (const InputError&) {
+    return std::nullopt;
+  }
+}
+
 }  // namespace
 
 fs::path item_file(const fs::path& folder, const BatchItem& item) {
-  return folder / "items" / (item.key + ".json");
+  return folder / kItemsFolder / (item.key + ".json");
 }
 
 StoredItem read_item(const fs::path& folder, const BatchItem& item) {
@@ -89,9 +104,22 @@ StoredItem read_item(const fs::path& folder, const BatchItem& item) {
   }
 }
 
+std::vector<ItemLabel> other_items(const fs::path& folder, const BatchPlan& plan) {
+  std::set<std::string> known;
+  for (const BatchItem& item : plan.items) known.insert(item_file(folder, item).filename().string());
+  std::vector<ItemLabel> labels;
+  std::error_code error;
+  for (const auto& entry : fs::directory_iterator(folder / kItemsFolder, error)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with('.') || known.count(name) > 0) continue;
+    if (std::optional<ItemLabel> label = read_label(entry.path())) labels.push_back(std::move(*label));
+  }
+  return labels;
+}
+
 void write_item(const fs::path& folder, const BatchPlan& plan, const BatchItem& item,
                 const ItemResult& result) {
-  Json json{{"format", kFormat}, {"version", kVersion}, {"key", item.key}};
+  Json json{{"format", kFormat}, {"version", kVersion}, {"key", item.key}, {"build", method_sources::kHash}};
   for (const auto& [name, cell] : plan.columns(item)) json["item"][name] = std::get<std::string>(cell);
   json["failure"] = result.failure;
   json["values"] = measurements_json(result.values);

@@ -2,11 +2,40 @@
 
 #include <fmt/format.h>
 
+#include "core/base/error.h"
 #include "core/base/file.h"
 #include "experiments/batch/report.h"
 
 namespace plenolab {
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kResults = "results.csv";
+constexpr const char* kTimings = "timings.csv";
+constexpr const char* kReport = "report.html";
+constexpr const char* kRun = "run.json";  // write_run_json
+constexpr const char* kPlots = "plots";
+
+/// Whether it was there.
+bool remove_output(const fs::path& file) {
+  std::error_code error;
+  const bool was_there = fs::remove(file, error);
+  if (error) throw InputError(fmt::format("cannot remove {}: {}", file.string(), error.message()));
+  return was_there;
+}
+
+/// The plots that a report has filed; other files in their folder are not ours.
+void remove_plots(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> plots;
+  for (const auto& entry : fs::directory_iterator(folder, error))
+    if (entry.path().stem().string().ends_with(kOverTime)) plots.push_back(entry.path());
+  for (const fs::path& plot : plots) remove_output(plot);
+  fs::remove(folder, error);  // stays if it is not empty
+}
+
+}  // namespace
 
 ResultTable batch_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
   ResultTable table;
@@ -30,13 +59,25 @@ ResultTable batch_timing_rows(const BatchPlan& plan, const std::vector<StoredIte
 
 void write_batch_outputs(const BatchPlan& plan, const std::vector<StoredItem>& stored, const fs::path& folder,
                          Provenance& provenance) {
-  write_text_file(folder / "results.csv", to_csv(batch_rows(plan, stored)));
-  write_text_file(folder / "timings.csv", to_csv(batch_timing_rows(plan, stored)));
+  write_text_file(folder / kResults, to_csv(batch_rows(plan, stored)));
+  write_text_file(folder / kTimings, to_csv(batch_timing_rows(plan, stored)));
   finish_provenance(provenance);
   const BatchReport report = batch_report(plan, stored, provenance);
-  for (const auto& [name, plot] : report.plots) write_plot(plot, folder / "plots" / name);
-  write_report(report.page, folder / "report.html");
+  for (const auto& [name, plot] : report.plots) write_plot(plot, folder / kPlots / name);
+  write_report(report.page, folder / kReport);
   write_run_json(provenance, folder);
+}
+
+std::string remove_earlier_outputs(const fs::path& folder) {
+  std::string removed;
+  for (const char* name : {kResults, kTimings, kReport, kRun})
+    if (remove_output(folder / name)) removed += (removed.empty() ? "" : ", ") + std::string(name);
+  remove_plots(folder / kPlots);
+  return removed;
+}
+
+bool is_open(const StoredItem& item) {
+  return item.state == ItemState::kMissing || item.state == ItemState::kDamaged;
 }
 
 std::string failures_text(const BatchPlan& plan, const std::vector<StoredItem>& stored) {

@@ -58,6 +58,12 @@ std::vector<BatchOperator> resolve_operators(const BatchStudy& study, const std:
   return operators;
 }
 
+/// By its own name or that of its family.
+bool is_named(const Metric& metric, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), metric.name) != names.end() ||
+         std::find(names.begin(), names.end(), metric.family) != names.end();
+}
+
 /// All that were asked for and take a tone mapped image; asked for by name, all must.
 void resolve_metrics(BatchPlan& plan, const std::string& file) {
   const std::vector<std::string>& names = plan.study.metrics;
@@ -67,19 +73,18 @@ void resolve_metrics(BatchPlan& plan, const std::string& file) {
     throw InputError(fmt::format("{}: \"metrics\": {}", file, error.what()));
   }
   for (const Metric* metric : plan.metrics) {
-    const bool named = std::find(names.begin(), names.end(), metric->name) != names.end() ||
-                       std::find(names.begin(), names.end(), metric->family) != names.end();
-    if (named && !metric->compare_mapped && !metric->judge)
+    if (is_named(*metric, names) && !metric->compare_mapped && !metric->judge)
       throw InputError(fmt::format("{}: \"metrics\": {} does not compare a tone mapped image with its scene",
                                    file, metric->name));
-    if (!named && metric->absolute_luminance) plan.unscalable.push_back(metric);
   }
   std::erase_if(plan.metrics, [](const Metric* metric) { return !metric->compare_mapped && !metric->judge; });
+  for (const Metric* metric : plan.metrics)
+    if (metric->absolute_luminance && !is_named(*metric, names)) plan.unscalable.push_back(metric);
 }
 
-/// Why none of an input's items can be computed; empty if nothing is known.
-std::string problem_of(const BatchPlan& plan, const BatchInput& input) {
-  if (!input.problem.empty()) return input.problem;
+/// Why the items of a view of an input cannot be computed; empty if nothing is known.
+std::string problem_of(const BatchPlan& plan, const BatchInput& input, const BatchView& view) {
+  if (std::string problem = input.problem_with(view); !problem.empty()) return problem;
   for (const Metric* metric : plan.metrics_for(input))
     if (metric->absolute_luminance && !input.cd_m2_per_unit)
       return fmt::format(
@@ -88,13 +93,20 @@ std::string problem_of(const BatchPlan& plan, const BatchInput& input) {
   return "";
 }
 
+/// What stands for the pixels of an input that cannot be opened: the input as the study spells it. Neither
+/// where the study lies nor what is wrong counts, since machines differ in both.
+std::string content_of(const BatchInput& input) {
+  if (!input.content.empty()) return input.content;
+  return fmt::format("cannot be opened: {} {}", input.choice.source, input.choice.preset);
+}
+
 /// Everything that decides the result of an item.
 std::string key_of(const BatchPlan& plan, const BatchItem& item) {
   const BatchInput& input = plan.inputs[item.input];
   const OperatorChoice& choice = plan.operators[item.op].choice;
   ContentHash hash;
   hash.add(method_sources::kHash);
-  hash.add(input.content.empty() ? "problem " + plan.title(item) + item.problem : input.content);
+  hash.add(content_of(input));
   hash.add(input.cd_m2_per_unit.value_or(0));
   hash.add(static_cast<double>(item.view.column));
   hash.add(static_cast<double>(item.view.row));
@@ -112,13 +124,14 @@ std::string key_of(const BatchPlan& plan, const BatchItem& item) {
 void add_items(BatchPlan& plan, std::size_t input) {
   std::vector<BatchView> views = plan.inputs[input].views;
   if (views.empty()) views.emplace_back();
-  const std::string problem = problem_of(plan, plan.inputs[input]);
-  for (const BatchView& view : views)
+  for (const BatchView& view : views) {
+    const std::string problem = problem_of(plan, plan.inputs[input], view);
     for (std::size_t op = 0; op < plan.operators.size(); ++op) {
       BatchItem item{.input = input, .op = op, .view = view, .key = {}, .problem = problem};
       item.key = key_of(plan, item);
       plan.items.push_back(std::move(item));
     }
+  }
 }
 
 std::string view_text(const BatchInput& input, const BatchItem& item) {
@@ -142,11 +155,12 @@ Columns BatchPlan::columns(const BatchItem& item) const {
 
 std::string BatchPlan::title(const BatchItem& item) const {
   std::string text;
-  for (const auto& column : columns(item)) {
-    const auto& word = std::get<std::string>(column.second);
-    text += (text.empty() || word.empty() ? "" : " ") + word;
-  }
+  for (const auto& column : columns(item)) add_word(text, std::get<std::string>(column.second));
   return text;
+}
+
+void add_word(std::string& title, const std::string& word) {
+  title += (title.empty() || word.empty() ? "" : " ") + word;
 }
 
 std::vector<const Metric*> BatchPlan::metrics_for(const BatchInput& input) const {

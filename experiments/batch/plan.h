@@ -44,6 +44,9 @@ struct BatchPlan {
   std::vector<const Metric*> metrics_for(const BatchInput& input) const;
 };
 
+/// Adds a word of a title, with a space before all but the first; nothing if it is empty.
+void add_word(std::string& title, const std::string& word);
+
 /// Reads a study file and finds its inputs, operators and metrics. `seed` is used if the study has none. An
 /// input that cannot be opened, or does not say its unit where a metric that was asked for by name needs it,
 /// gives items with a problem. Throws InputError, naming file and key, for everything else.

@@ -9,6 +9,9 @@
 
 namespace plenolab {
 
+/// How names of plots end; before it stands the metric's.
+inline constexpr const char* kOverTime = "-over-time";
+
 /// The page of a batch, and its plots to be filed by name.
 struct BatchReport {
   Report page;

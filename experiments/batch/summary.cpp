@@ -1,6 +1,9 @@
 #include "experiments/batch/summary.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <set>
 
 #include "analysis/statistics.h"
 
@@ -8,25 +11,67 @@ namespace plenolab {
 
 namespace {
 
+bool has(const ItemResult& result, const std::string& quantity) {
+  return quantity.empty() || std::any_of(result.values.begin(), result.values.end(),
+                                         [&](const Measurement& m) { return m.quantity == quantity; });
+}
+
 /// Names and units of all quantities, in order of first appearance.
-std::vector<Measurement> quantities_in(const std::vector<const ItemResult*>& results) {
+std::vector<Measurement> quantities_in(const std::vector<StoredItem>& stored) {
   std::vector<Measurement> found;
-  for (const ItemResult* result : results)
-    for (const Measurement& m : result->values)
-      if (std::none_of(found.begin(), found.end(),
-                       [&](const Measurement& known) { return known.quantity == m.quantity; }))
-        found.push_back(m);
+  std::set<std::string> names;
+  for (const StoredItem& item : stored)
+    for (const Measurement& m : item.result.values)
+      if (names.insert(m.quantity).second) found.push_back(m);
   return found;
+}
+
+std::size_t views_in(const BatchPlan& plan) {
+  return plan.items.size() / plan.operators.size();
+}
+
+/// Inputs whose unit is not known, with the metrics that are left out there.
+std::string left_out_text(const BatchPlan& plan) {
+  std::string metrics, inputs;
+  for (const Metric* metric : plan.unscalable) metrics += (metrics.empty() ? "" : " and ") + metric->name;
+  for (const BatchInput& input : plan.inputs)
+    if (!input.cd_m2_per_unit && input.problem.empty())
+      inputs += (inputs.empty() ? "" : ", ") + title_of(input);
+  if (metrics.empty() || inputs.empty()) return "";
+  return fmt::format(
+      "Left out: {} for {}, whose unit is not known; \"cd_m2_per_unit\" in the study would say it.", metrics,
+      inputs);
+}
+
+/// Quantities over so many views.
+std::string shared_text(std::size_t views, std::size_t all, const std::string& names) {
+  if (views == 0)
+    return fmt::format("No view has a value from all operators, so there is no mean: {}.", names);
+  return fmt::format("Over {} of {} views, those that all operators have: {}.", views, all, names);
 }
 
 }  // namespace
 
-std::vector<const ItemResult*> results_of(const BatchPlan& plan, const std::vector<StoredItem>& stored,
-                                          std::size_t op) {
-  std::vector<const ItemResult*> results;
+ComparedItems compared_items(const BatchPlan& plan, const std::vector<StoredItem>& stored,
+                             const std::string& quantity, std::optional<std::size_t> input) {
+  const std::size_t operators = plan.operators.size();
+  const auto counts = [&](std::size_t i) {
+    return stored[i].state == ItemState::kDone && (!input || plan.items[i].input == *input) &&
+           has(stored[i].result, quantity);
+  };
+  std::set<std::size_t> part;
   for (std::size_t i = 0; i < stored.size(); ++i)
-    if (plan.items[i].op == op && stored[i].state == ItemState::kDone) results.push_back(&stored[i].result);
-  return results;
+    if (counts(i)) part.insert(plan.items[i].op);
+  ComparedItems compared{std::vector<std::vector<const ItemResult*>>(operators), 0};
+  if (part.empty()) return compared;
+  // Items are view by view, in the order of the operators.
+  for (std::size_t view = 0; view < views_in(plan); ++view) {
+    const std::size_t first = view * operators;
+    if (!std::all_of(part.begin(), part.end(), [&](std::size_t op) { return counts(first + op); })) continue;
+    for (const std::size_t op : part) compared.results[op].push_back(&stored[first + op].result);
+    ++compared.views;
+  }
+  return compared;
 }
 
 std::vector<double> values_of(const std::vector<const ItemResult*>& results, const std::string& quantity) {
@@ -41,25 +86,60 @@ std::vector<double> milliseconds_per_megapixel(const std::vector<const ItemResul
   std::vector<double> values;
   for (const ItemResult* result : results) {
     const std::vector<Measurement>& timings = result->timings;
-    const double seconds =
-        value_of(timings, "seconds_fit") / value_of(timings, "fit_views") + value_of(timings, "seconds_map");
+    const double seconds = value_of(timings, "seconds_statistics") +
+                           value_of(timings, "seconds_fit") / value_of(timings, "fit_views") +
+                           value_of(timings, "seconds_map");
     values.push_back(seconds * 1e9 / (static_cast<double>(result->width) * result->height));
   }
   return values;
 }
 
 ResultTable operator_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
+  const std::size_t operators = plan.operators.size();
+  const auto columns = [&](std::size_t op) { return Columns{{"operator", plan.operators[op].title()}}; };
+  std::vector<std::size_t> done(operators, 0);
+  for (std::size_t i = 0; i < stored.size(); ++i)
+    done[plan.items[i].op] += stored[i].state == ItemState::kDone ? 1 : 0;
   ResultTable table;
-  for (std::size_t op = 0; op < plan.operators.size(); ++op) {
-    const Columns columns{{"operator", plan.operators[op].title()}};
-    const std::vector<const ItemResult*> results = results_of(plan, stored, op);
-    table.add({"items", static_cast<double>(results.size()), "1", columns});
-    if (results.empty()) continue;
-    for (const Measurement& m : quantities_in(results))
-      table.add({m.quantity, mean(values_of(results, m.quantity)), m.unit, columns});
-    table.add({"ms_per_megapixel", median(milliseconds_per_megapixel(results)), "ms", columns});
+  for (std::size_t op = 0; op < operators; ++op)
+    table.add({"items", static_cast<double>(done[op]), "1", columns(op)});
+  for (const Measurement& m : quantities_in(stored)) {
+    const ComparedItems compared = compared_items(plan, stored, m.quantity);
+    for (std::size_t op = 0; op < operators; ++op)
+      if (!compared.results[op].empty())
+        table.add({m.quantity, mean(values_of(compared.results[op], m.quantity)), m.unit, columns(op)});
   }
+  const ComparedItems timed = compared_items(plan, stored, "");
+  for (std::size_t op = 0; op < operators; ++op)
+    if (!timed.results[op].empty())
+      table.add(
+          {"ms_per_megapixel", median(milliseconds_per_megapixel(timed.results[op])), "ms", columns(op)});
   return table;
+}
+
+std::vector<std::string> comparison_notes(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
+  std::vector<std::pair<std::size_t, std::string>> partial;  // views, names of quantities over so many
+  const auto add = [&](const std::string& quantity, const std::string& name) {
+    const std::size_t views = compared_items(plan, stored, quantity).views;
+    if (views == views_in(plan)) return;
+    const auto same =
+        std::find_if(partial.begin(), partial.end(), [&](const auto& entry) { return entry.first == views; });
+    if (same == partial.end())
+      partial.emplace_back(views, name);
+    else
+      same->second += ", " + name;
+  };
+  for (const Metric* metric : plan.metrics)
+    add(metric->quantities.front().name, metric->quantities.front().name);
+  add("", "ms/megapixel");
+  std::vector<std::string> notes;
+  for (const auto& entry : partial) notes.push_back(shared_text(entry.first, views_in(plan), entry.second));
+  if (const std::string left_out = left_out_text(plan); !left_out.empty()) notes.push_back(left_out);
+  return notes;
+}
+
+std::string title_of(const BatchInput& input) {
+  return input.choice.title() + (input.choice.preset.empty() ? "" : " " + input.choice.preset);
 }
 
 }  // namespace plenolab
