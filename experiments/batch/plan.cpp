@@ -97,7 +97,8 @@ std::string problem_of(const BatchPlan& plan, const BatchInput& input, const Bat
 /// where the study lies nor what is wrong counts, since machines differ in both.
 std::string content_of(const BatchInput& input) {
   if (!input.content.empty()) return input.content;
-  return fmt::format("cannot be opened: {} {}", input.choice.source, input.choice.preset);
+  return fmt::format("cannot be opened: {} {} {}", static_cast<int>(input.choice.kind), input.choice.source,
+                     input.choice.preset);
 }
 
 /// Everything that decides the result of an item.

@@ -15,26 +15,15 @@
 #include "core/tonemap/light_field_mapping.h"
 #include "experiments/reproduce/laboratory.h"
 #include "metrics/consistency.h"
-#include "tests/experiments/batch/tiny_batch.h"
+#include "tests/experiments/batch/batch_command.h"
 
 namespace plenolab {
 namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-class BatchCommand : public testing::Test {
+class BatchInterruption : public BatchCommand {
  protected:
-  /// Runs `batch run` on the study; the exit status must be `status`.
-  ProgramResult run(const std::string& name, std::vector<std::string> more = {}, int status = 0) {
-    std::vector<std::string> arguments{"batch", "run", study_, "-o", folder(name)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    ProgramResult result = run_program(arguments);
-    EXPECT_EQ(result.status, status) << result.err;
-    return result;
-  }
-  std::string folder(const std::string& name) const { return parent_.path() / name; }
-  std::string csv(const std::string& name) const { return batch_file(folder(name), "results.csv"); }
-
   /// Starts the study and kills the program once it has stored so many items. Whether it was still running.
   bool run_and_kill(const std::string& name, std::size_t items) {
     RunningProgram program({"batch", "run", study_, "-o", folder(name), "--threads", "1"});
@@ -43,9 +32,6 @@ class BatchCommand : public testing::Test {
     program.send(SIGKILL);
     return program.wait().status == -SIGKILL;
   }
-
-  TemporaryFolder parent_;
-  std::string study_ = write_tiny_batch(parent_.path());
 };
 
 TEST_F(BatchCommand, WritesOneTidyTableOneOfTimesAReportAndWhereTheyComeFrom) {
@@ -76,7 +62,7 @@ TEST_F(BatchCommand, AFinishedStudyIsNotComputedAgain) {
   EXPECT_EQ(batch_file(folder("out"), "timings.csv"), times) << "nothing was timed again";
 }
 
-TEST_F(BatchCommand, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
+TEST_F(BatchInterruption, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
   run("whole");
   int kills = 0;
   for (std::uint64_t attempt = 0; attempt < 3; ++attempt) {
