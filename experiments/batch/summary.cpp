@@ -32,11 +32,14 @@ std::size_t views_in(const BatchPlan& plan) {
 
 /// Inputs whose unit is not known, with the metrics that are left out there.
 std::string left_out_text(const BatchPlan& plan) {
+  constexpr int kMostNamed = 5;
   std::string metrics, inputs;
   for (const Metric* metric : plan.unscalable) metrics += (metrics.empty() ? "" : " and ") + metric->name;
+  int unknown = 0;
   for (const BatchInput& input : plan.inputs)
-    if (!input.cd_m2_per_unit && input.problem.empty())
+    if (!input.cd_m2_per_unit && input.problem.empty() && ++unknown <= kMostNamed)
       inputs += (inputs.empty() ? "" : ", ") + title_of(input);
+  if (unknown > kMostNamed) inputs += fmt::format(" and {} more", unknown - kMostNamed);
   if (metrics.empty() || inputs.empty()) return "";
   return fmt::format(
       "Left out: {} for {}, whose unit is not known; \"cd_m2_per_unit\" in the study would say it.", metrics,

@@ -133,6 +133,19 @@ TEST_F(BatchRobustness, WhatAKilledRunLeftHalfWrittenIsSweptUp) {
   EXPECT_EQ(stored_items(folder("out")), 18u);
 }
 
+TEST_F(BatchRobustness, TwoRunsAtOnceInOneFolderEndLikeOne) {
+  run("whole");
+  for (const auto& shards : {std::pair{"1/1", "1/1"}, std::pair{"1/2", "2/2"}}) {
+    const std::string name = std::string("both-") + shards.second[0];
+    RunningProgram first({"batch", "run", study_, "-o", folder(name), "--shard", shards.first});
+    RunningProgram second({"batch", "run", study_, "-o", folder(name), "--shard", shards.second});
+    EXPECT_EQ(first.wait().status, 0);
+    EXPECT_EQ(second.wait().status, 0);
+    EXPECT_EQ(csv(name), csv("whole"));
+    EXPECT_EQ(stored_items(folder(name)), 18u);
+  }
+}
+
 TEST_F(BatchRobustness, MergeSaysWhyAResultIsNotThere) {
   run("out");
   const auto merged = [&](const fs::path& from) {
