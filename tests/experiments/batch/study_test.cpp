@@ -82,6 +82,8 @@ TEST(BatchStudy, EveryMistakeIsOneSentenceThatNamesFileAndKey) {
     EXPECT_NE(message.find(entry.second), std::string::npos) << message;
   }
   EXPECT_NE(message_of([] { parse_batch_study("{", "s.json"); }).find("not valid JSON"), std::string::npos);
+  EXPECT_EQ(message_of([] { parse_batch_study(R"({"repeat": 1, "repeat": 7})", "s.json"); }),
+            R"(s.json has the key "repeat" twice in one object)");
 }
 
 class BatchPlanTest : public testing::Test {
