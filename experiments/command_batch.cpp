@@ -73,7 +73,8 @@ void finish_batch(const BatchPlan& plan, const std::vector<StoredItem>& stored, 
   write_batch_outputs(plan, stored, folder, provenance);
   if (!output_is_for_programs(options)) {
     fmt::print("{}", to_wide_text(operator_rows(plan, stored), {"operator"}, columns_for_people(plan)));
-    for (const std::string& note : comparison_notes(plan, stored)) fmt::print("{}\n", note);
+    for (const auto& notes : {comparison_notes(plan, stored), exposure_notes(plan, stored)})
+      for (const std::string& note : notes) fmt::print("{}\n", note);
   }
   write_results(batch_rows(plan, stored), provenance, options);
   tell(options, fmt::format("wrote results.csv, timings.csv and report.html to {}", folder.string()));

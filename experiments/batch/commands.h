@@ -17,6 +17,7 @@ void add_batch_merge(CLI::App& batch, const Invocation& invocation);
 struct BatchOptions {
   CommonOptions common;
   std::string study;
+  bool force = false;  ///< take over the folder of another study; not of plan
 };
 
 /// Declares the study file and the common options.

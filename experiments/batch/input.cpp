@@ -44,6 +44,12 @@ std::vector<BatchInputChoice> one_by_one(const BatchStudy& study, const std::str
   std::vector<BatchInputChoice> choices;
   for (const BatchInputChoice& choice : study.inputs) {
     const bool scene = choice.kind == Kind::kScene;
+    for (const LitSceneEntry& lit : display_scenes())
+      if (scene && choice.source == lit.id)
+        throw InputError(
+            fmt::format("{}: \"inputs\" names the scene \"{}\", which is for luminance displays "
+                        "('plenolab luminance'): a batch maps the scenes {}",
+                        file, choice.source, fmt::join(ids, ", ")));
     if (scene && choice.source != "all" && std::find(ids.begin(), ids.end(), choice.source) == ids.end())
       throw InputError(fmt::format("{}: \"inputs\" names the scene \"{}\", which there is not{}", file,
                                    choice.source, did_you_mean(choice.source, ids)));
@@ -118,8 +124,11 @@ void identify_light_field(BatchInput& input) {
 void identify_image(BatchInput& input) {
   std::error_code error;
   const fs::file_status status = fs::status(input.path, error);
-  if (fs::exists(status) && !fs::is_regular_file(status))
-    throw InputError(fmt::format("{} is not a file", input.path.string()));
+  if (!fs::exists(status)) throw InputError(fmt::format("{} does not exist", input.path.string()));
+  if (is_display_file(input.path))
+    throw InputError(
+        fmt::format("{} holds display values, not radiance: give .exr, .hdr or .pfm", input.path.string()));
+  if (!fs::is_regular_file(status)) throw InputError(fmt::format("{} is not a file", input.path.string()));
   input.content = hash_file(input.path);
   input.cd_m2_per_unit = declared_cd_m2_per_unit(input.path);
 }

@@ -18,17 +18,16 @@ namespace plenolab {
 
 namespace {
 
-/// Runs one stage of an item; what it throws becomes the item's failure.
-void guard(ItemResult& result, const std::function<void()>& stage) {
-  const Stopwatch watch;
+/// What a stage throws, as a text; empty if all went well.
+std::string failure_of(const std::function<void()>& stage) {
   try {
     stage();
+    return "";
   } catch (const std::bad_alloc&) {
-    result = failed_result("out of memory");
+    return "out of memory";
   } catch (const std::exception& error) {
-    result = failed_result(error.what());
+    return error.what();
   }
-  result.seconds += watch.seconds();
 }
 
 void require_disparity(const OperatorChoice& choice, const OperatorView& view) {
@@ -76,12 +75,13 @@ std::vector<double> seconds_of(int repeat, const std::function<void()>& work) {
   return seconds;
 }
 
-TimedFit timed_fit(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, int threads) {
+TimedFit timed_fit(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, int repeat,
+                   int threads) {
   const OperatorChoice& choice = plan.operators[item.op].choice;
   const FitScope scope = input.scope(choice.variant.scope, item.view, threads);
   TimedFit fit{.views = scope.views};
-  fit.seconds = seconds_of(plan.study.repeat,
-                           [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
+  fit.seconds =
+      seconds_of(repeat, [&] { fit.fitted = choice.info->fit(choice.variant.id, choice.values, scope); });
   return fit;
 }
 
@@ -103,18 +103,18 @@ std::shared_ptr<const TimedFit> fit_of(const BatchPlan& plan, const BatchItem& i
   if (const auto found = shared.fits.find(item.op); found != shared.fits.end()) return found->second;
   const OperatorChoice& choice = plan.operators[item.op].choice;
   const auto fit = std::make_shared<const TimedFit>(
-      choice.adjusted ? timed_adjustment(plan, item, input, threads) : timed_fit(plan, item, input, threads));
+      choice.adjusted ? timed_adjustment(plan, item, input, threads)
+                      : timed_fit(plan, item, input, shared.repeat, threads));
   if (choice.adjusted || choice.variant.scope == OperatorScope::kLightField)
     shared.fits.emplace(item.op, fit);
   return fit;
 }
 
 /// What LoadedInput did for this view before any operator was fitted, timed as often as fits are.
-double statistics_seconds(const BatchPlan& plan, const BatchItem& item, const OperatorView& view,
-                          SharedWork& shared, int threads) {
+double statistics_seconds(const BatchItem& item, const OperatorView& view, SharedWork& shared, int threads) {
   const auto [entry, is_new] = shared.statistics_s.try_emplace(item.view, 0.0);
   if (is_new)
-    entry->second = median(seconds_of(plan.study.repeat, [&] {
+    entry->second = median(seconds_of(shared.repeat, [&] {
       const ViewStatistics statistics = measure_view(*view.colour, threads);
       evaluate(statistics, log_floor(statistics));
     }));
@@ -152,6 +152,25 @@ ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& inp
   return conditions;
 }
 
+double left_out_pixels(const SceneImage& scene) {
+  const Mask finite = finite_pixels(scene);
+  return static_cast<double>(std::count(finite.pixels().begin(), finite.pixels().end(), 0));
+}
+
+MetricResult measured(const Metric& metric, const MappedItem& mapped,
+                      const ComparisonConditions& conditions) {
+  MetricResult result{.name = metric.name, .key = {}, .failure = {}, .values = {}};
+  const Stopwatch watch;
+  result.failure = failure_of([&] {
+    result.values = measure(mapped.image, *mapped.view.colour, {&metric}, conditions);
+    for (const Measurement& m : result.values)
+      if (std::isnan(m.value)) throw InputError(fmt::format("{} came out as no number", m.quantity));
+  });
+  if (!result.failure.empty()) result.values.clear();
+  result.seconds = watch.seconds();
+  return result;
+}
+
 }  // namespace
 
 bool reads_statistics(const OperatorChoice& choice, bool unit_is_known) {
@@ -162,7 +181,8 @@ bool reads_statistics(const OperatorChoice& choice, bool unit_is_known) {
 MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input,
                     SharedWork& shared, int threads) {
   MappedItem mapped;
-  guard(mapped.result, [&] {
+  const Stopwatch watch;
+  const std::string failure = failure_of([&] {
     const OperatorChoice& choice = plan.operators[item.op].choice;
     if (!item.problem.empty()) throw InputError(item.problem);
     mapped.view = input.view(item.view);
@@ -170,27 +190,36 @@ MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedIn
     mapped.result.width = mapped.view.colour->width();
     mapped.result.height = mapped.view.colour->height();
     const bool timed = reads_statistics(choice, plan.inputs[item.input].cd_m2_per_unit.has_value());
-    const double statistics_s = timed ? statistics_seconds(plan, item, mapped.view, shared, threads) : 0;
+    const double statistics_s = timed ? statistics_seconds(item, mapped.view, shared, threads) : 0;
     map_repeatedly(*fit_of(plan, item, input, shared, threads), item.view, statistics_s, threads, mapped);
+    mapped.result.values.push_back({"left_out_pixels", left_out_pixels(*mapped.view.colour), "px"});
   });
+  if (!failure.empty()) mapped.result = failed_result(failure);
+  mapped.result.seconds = watch.seconds();
   return mapped;
 }
 
 void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapped, int threads) {
   if (mapped.result.failed()) return;
-  guard(mapped.result, [&] {
-    const BatchInput& input = plan.inputs[item.input];
-    ComparisonConditions conditions = conditions_for(plan, input, threads);
-    const Mask finite = finite_pixels(*mapped.view.colour);
-    const auto left_out = std::count(finite.pixels().begin(), finite.pixels().end(), 0);
-    if (left_out > 0) conditions.valid = &finite;
-    mapped.result.values.push_back({"left_out_pixels", static_cast<double>(left_out), "px"});
-    const std::vector<Measurement> measured =
-        measure(mapped.image, *mapped.view.colour, plan.metrics_for(input), conditions);
-    for (const Measurement& m : measured)
-      if (std::isnan(m.value)) throw InputError(fmt::format("{} came out as no number", m.quantity));
-    mapped.result.values.insert(mapped.result.values.end(), measured.begin(), measured.end());
-  });
+  const BatchInput& input = plan.inputs[item.input];
+  ComparisonConditions conditions = conditions_for(plan, input, threads);
+  const Mask finite = finite_pixels(*mapped.view.colour);
+  if (std::count(finite.pixels().begin(), finite.pixels().end(), 0) > 0) conditions.valid = &finite;
+  std::vector<MetricResult> known = std::move(mapped.result.metrics), results;
+  for (const Metric* metric : plan.metrics_for(input)) {
+    const std::string key = plan.metric_key(*metric);
+    const auto found =
+        std::find_if(known.begin(), known.end(), [&](const MetricResult& entry) { return entry.key == key; });
+    if (found != known.end() && found->failure.empty()) {
+      results.push_back(std::move(*found));
+      continue;
+    }
+    const std::string problem = plan.problem_of(*metric, input);
+    results.push_back(problem.empty() ? measured(*metric, mapped, conditions)
+                                      : MetricResult{.name = metric->name, .failure = problem});
+    results.back().key = key;
+  }
+  mapped.result.metrics = std::move(results);
 }
 
 ItemResult failed_result(const std::string& failure) {

@@ -21,6 +21,7 @@ struct TimedFit {
 
 /// What is made once for several items of an input.
 struct SharedWork {
+  int repeat = 1;                                               ///< timed runs
   std::map<std::size_t, std::shared_ptr<const TimedFit>> fits;  ///< for whole light fields, by operator
   std::map<BatchView, double> statistics_s;                     ///< median time of a view's statistics
 };
@@ -36,17 +37,18 @@ struct MappedItem {
   ItemResult result;  ///< with counts and timings, or with a failure
 };
 
-/// Fits and maps, each `repeat` times on `threads` threads, after one time that does not count if there are
-/// several; what is in `shared` is not made again. Values: mean_luma, counts of add_count_rows, with key-view
-/// adjustment those of add_adjustment_rows. Timings: those of add_timing_rows, of fit and mapping together,
-/// the medians seconds_fit and seconds_map, fit_views, for how many views the fit is, and seconds_statistics,
-/// the median for the statistics of this view (those of others count to theirs), 0 if the operator reads
-/// none. Whatever goes wrong is the result's failure.
+/// Fits and maps, each `shared.repeat` times on `threads` threads, after one time that does not count if
+/// there are several; what is in `shared` is not made again. Values: mean_luma, counts of add_count_rows,
+/// with key-view adjustment those of add_adjustment_rows, left_out_pixels (those where the input is NaN or
+/// infinite). Timings: those of add_timing_rows, of fit and mapping together, the medians seconds_fit and
+/// seconds_map, fit_views, for how many views the fit is, and seconds_statistics, the median for the
+/// statistics of this view (those of others count to theirs), 0 if the operator reads none. Whatever goes
+/// wrong is the result's failure.
 MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input,
                     SharedWork& shared, int threads);
 
-/// Adds the values of the metrics, over all pixels but those where the input is NaN or infinite, whose number
-/// is the value left_out_pixels. Whatever goes wrong is the result's failure.
+/// Adds the metrics of the plan that the result has not, or has failed at, over all pixels but those left
+/// out. Whatever goes wrong is that metric's failure.
 void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapped, int threads);
 
 /// The result of an item that failed.

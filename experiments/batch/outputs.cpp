@@ -40,11 +40,21 @@ void remove_plots(const fs::path& folder) {
 ResultTable batch_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
   ResultTable table;
   for (std::size_t i = 0; i < plan.items.size(); ++i) {
+    const ItemResult& result = stored[i].result;
     Columns columns = plan.columns(plan.items[i]);
-    if (stored[i].state == ItemState::kDone) add_measurement_rows(table, stored[i].result.values, columns);
-    if (stored[i].state != ItemState::kFailed) continue;
-    columns.emplace_back("note", stored[i].result.failure);
-    table.add({"failed", 1, "1", columns});
+    columns.emplace_back("note", "");
+    const auto add_failure = [&](const std::string& why) {
+      Columns with_note = columns;
+      with_note.back().second = why;
+      table.add({"failed", 1, "1", with_note});
+    };
+    if (is_open(stored[i])) continue;
+    if (result.failed()) add_failure(result.failure);
+    add_measurement_rows(table, result.values, columns);
+    for (const MetricResult& metric : result.metrics) {
+      add_measurement_rows(table, metric.values, columns);
+      if (!metric.failure.empty()) add_failure(metric.name + ": " + metric.failure);
+    }
   }
   return table;
 }
@@ -52,7 +62,7 @@ ResultTable batch_rows(const BatchPlan& plan, const std::vector<StoredItem>& sto
 ResultTable batch_timing_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
   ResultTable table;
   for (std::size_t i = 0; i < plan.items.size(); ++i)
-    if (stored[i].state == ItemState::kDone)
+    if (!is_open(stored[i]))
       add_measurement_rows(table, stored[i].result.timings, plan.columns(plan.items[i]));
   return table;
 }
@@ -62,7 +72,8 @@ void write_batch_outputs(const BatchPlan& plan, const std::vector<StoredItem>& s
   write_text_file(folder / kResults, to_csv(batch_rows(plan, stored)));
   write_text_file(folder / kTimings, to_csv(batch_timing_rows(plan, stored)));
   finish_provenance(provenance);
-  const BatchReport report = batch_report(plan, stored, provenance);
+  const BatchReport report = batch_report(plan, stored, folder, provenance);
+  remove_plots(folder / kPlots);
   for (const auto& [name, plot] : report.plots) write_plot(plot, folder / kPlots / name);
   write_report(report.page, folder / kReport);
   write_run_json(provenance, folder);
@@ -77,7 +88,7 @@ std::string remove_earlier_outputs(const fs::path& folder) {
 }
 
 bool is_open(const StoredItem& item) {
-  return item.state == ItemState::kMissing || item.state == ItemState::kDamaged;
+  return item.state < ItemState::kFailed;
 }
 
 std::string failures_text(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
@@ -87,7 +98,7 @@ std::string failures_text(const BatchPlan& plan, const std::vector<StoredItem>& 
   for (std::size_t i = 0; i < stored.size(); ++i) {
     if (stored[i].state != ItemState::kFailed || ++failed > kMostNamed) continue;
     text += fmt::format("{}{} ({})", text.empty() ? "" : "; ", plan.title(plan.items[i]),
-                        stored[i].result.failure);
+                        stored[i].result.failures());
   }
   if (failed > kMostNamed) text += fmt::format("; and {} more", failed - kMostNamed);
   return text;

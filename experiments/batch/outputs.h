@@ -9,14 +9,14 @@
 namespace plenolab {
 
 /// Rows of all items in the order of the plan: what is the same at every run. An item that failed has one row
-/// `failed`, with the reason in the column "note".
+/// `failed`, and so has each metric that failed, with the reason in the column "note", which is empty else.
 ResultTable batch_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored);
 
 /// Run times of all items in the order of the plan.
 ResultTable batch_timing_rows(const BatchPlan& plan, const std::vector<StoredItem>& stored);
 
 /// Writes results.csv, timings.csv, report.html with plots/, and run.json into the folder of a batch all of
-/// whose items are done or failed.
+/// whose items are done or failed. Plots of an earlier study go.
 void write_batch_outputs(const BatchPlan& plan, const std::vector<StoredItem>& stored,
                          const std::filesystem::path& folder, Provenance& provenance);
 

@@ -3,9 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "analysis/pareto.h"
 #include "analysis/statistics.h"
+#include "core/base/error.h"
+#include "core/io/image_file.h"
+#include "experiments/batch/picture.h"
 #include "experiments/batch/summary.h"
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/wide_table.h"
@@ -41,22 +46,26 @@ std::size_t count_of(const Stored& stored, ItemState state) {
 
 std::vector<KeyFigure> key_figures(const BatchPlan& plan, const Stored& stored) {
   double seconds = 0;
-  for (const StoredItem& item : stored) seconds += item.result.seconds;
+  for (const StoredItem& item : stored) seconds += item.result.seconds_with_metrics();
   const std::size_t failed = count_of(stored, ItemState::kFailed);
   return {{"items done", std::to_string(count_of(stored, ItemState::kDone)), "",
            fmt::format("of {}{}", plan.items.size(),
                        failed == 0 ? std::string() : fmt::format("; {} failed", failed))},
           {"inputs", std::to_string(plan.inputs.size()), "", ""},
           {"operators", std::to_string(plan.operators.size()), "", ""},
-          {"mapping and metrics took", format_duration(seconds), "", "all items added up"}};
+          {"mapping and metrics took", format_duration(seconds), "",
+           "all items and all runs added up; the time on top of the page is that of the last run"}};
 }
 
 ReportSection failure_section(const BatchPlan& plan, const Stored& stored) {
   ReportSection section{"What failed", {}, {}};
-  ReportTable table{"Items without numbers; they are tried again at the next run", {"item", "why"}, {}};
+  ReportTable table{
+      "Items without numbers, or without those of some metrics; they are tried again at the next run",
+      {"item", "why"},
+      {}};
   for (std::size_t i = 0; i < stored.size(); ++i)
     if (stored[i].state == ItemState::kFailed)
-      table.rows.push_back({plan.title(plan.items[i]), stored[i].result.failure});
+      table.rows.push_back({plan.title(plan.items[i]), stored[i].result.failures()});
   section.blocks.emplace_back(std::move(table));
   return section;
 }
@@ -78,10 +87,73 @@ ReportSection summary_section(const BatchPlan& plan, const Stored& stored, const
   columns.push_back({"ms_per_megapixel", kTimeHeading});
   section.blocks.emplace_back(wide_table(
       means, {"operator"}, columns,
-      "First quantity of each metric (↑ higher, ↓ lower is better), mean over the views that all operators "
-      "have; time: median of statistics, fit and mapping over them, a fit for several views shared among "
-      "these"));
+      "First quantity of each metric (↑ higher, ↓ lower is better): mean over the views of each input that "
+      "all "
+      "operators have, then over the inputs, so that each counts alike; time: median over inputs of "
+      "statistics, fit and mapping, a fit for several views shared among these"));
+  for (const std::string& note : exposure_notes(plan, stored)) section.blocks.emplace_back(Paragraph{note});
   for (const std::string& note : comparison_notes(plan, stored)) section.blocks.emplace_back(Paragraph{note});
+  return section;
+}
+
+/// What pictures of a report may hold together, so that it stays light.
+constexpr std::size_t kMostPictures_px = std::size_t{6} << 20;
+
+/// The pictures of a view of an input, operator by operator; without those that failed or are not there.
+ImageComparison contact_sheet(const BatchPlan& plan, const Stored& stored, std::size_t first,
+                              const std::filesystem::path& folder) {
+  const BatchItem& item = plan.items[first];
+  const BatchInput& input = plan.inputs[item.input];
+  ImageComparison sheet;
+  sheet.caption = title_of(input);
+  if (!input.views.empty()) sheet.caption += fmt::format(", view {},{}", item.view.column, item.view.row);
+  sheet.alt = sheet.caption;
+  for (std::size_t op = 0; op < plan.operators.size(); ++op) {
+    if (!stored[first + op].mapped()) continue;
+    const std::string remark = exposure_remark(stored[first + op].result);
+    try {
+      sheet.images.push_back({plan.operators[op].title() + (remark.empty() ? "" : " – " + remark),
+                              read_display_image(picture_file(folder, plan.items[first + op]))});
+    } catch (const InputError&) {
+      // Somebody took the picture away; the numbers are there all the same.
+    }
+  }
+  return sheet;
+}
+
+/// The first item of the middle view of each input.
+std::vector<std::size_t> middle_views(const BatchPlan& plan) {
+  std::vector<std::size_t> items;
+  std::size_t begin = 0;
+  for (const BatchInput& input : plan.inputs) {
+    const std::size_t views = std::max<std::size_t>(input.views.size(), 1);
+    items.push_back(begin + views / 2 * plan.operators.size());
+    begin += views * plan.operators.size();
+  }
+  return items;
+}
+
+ReportSection picture_section(const BatchPlan& plan, const Stored& stored,
+                              const std::filesystem::path& folder) {
+  ReportSection section{"What was mapped", {}, {}};
+  section.blocks.emplace_back(Paragraph{fmt::format(
+      "No metric replaces a look at the pictures. The middle view of each input, at most 320 pixels wide; "
+      "nearly white is a mean of encoded luma above {}, nearly black one below {}.",
+      kNearlyWhite_luma, kNearlyBlack_luma)});
+  std::size_t shown_px = 0, left_out = 0;
+  for (const std::size_t first : middle_views(plan)) {
+    if (shown_px > kMostPictures_px) {
+      ++left_out;
+      continue;
+    }
+    ImageComparison sheet = contact_sheet(plan, stored, first, folder);
+    for (const ReportImage& image : sheet.images) shown_px += image.image.size();
+    if (!sheet.images.empty()) section.blocks.emplace_back(std::move(sheet));
+  }
+  if (left_out > 0)
+    section.blocks.emplace_back(Paragraph{
+        fmt::format("Pictures of {} more inputs are in the folder {}, named after the keys of their items.",
+                    left_out, kItemsFolder)});
   return section;
 }
 
@@ -94,14 +166,15 @@ ReportSection mapping_section(const BatchPlan& plan, const ResultTable& means) {
   section.blocks.emplace_back(wide_table(
       means, {"operator"},
       {{"mean_luma", "mean luma"},
-       {"clipped_high", "cut to 1 [values]"},
-       {"clipped_low", "cut to 0 [values]"},
+       {"clipped_high_share", "cut to 1 [share]"},
+       {"clipped_low_share", "cut to 0 [share]"},
        {"floored_pixels", "luminance 0 [px]"},
        {"repaired_nan", "NaN [values]"},
        {"repaired_infinite", "infinite [values]"},
        {"repaired_negative", "negative [values]"},
        {"left_out_pixels", "not measured [px]"}},
-      "Means over the views that all operators have: nothing is cut, repaired or left out silently"));
+      "Means over inputs, of the views that all operators have: nothing is cut, repaired or left out "
+      "silently; shares are of the channel values"));
   if (std::any_of(plan.operators.begin(), plan.operators.end(), is_adjusted))
     section.blocks.emplace_back(wide_table(
         means, {"operator"},
@@ -111,7 +184,7 @@ ReportSection mapping_section(const BatchPlan& plan, const ResultTable& means) {
          {"adjusted_floored_pixels", "luminance 0 [px]"},
          {"hdr_repairs", "repaired in the scene [values]"},
          {"display_repairs", "repaired as mapped [values]"}},
-        "Of key-view adjustment, all views of a light field together: means over the views measured"));
+        "Of key-view adjustment, all views of a light field together: means over the inputs measured"));
   return section;
 }
 
@@ -123,10 +196,11 @@ ReportTable quantity_table(const Metric& metric, const ResultTable& means) {
     columns.push_back({name, (name.starts_with(prefix) ? name.substr(prefix.size()) : name) +
                                  (quantity.unit == "1" ? "" : " [" + quantity.unit + "]")});
   }
-  return wide_table(means, {"operator"}, columns,
-                    fmt::format("Means over the views that all operators have; in results.csv names begin "
-                                "with {}",
-                                prefix));
+  return wide_table(
+      means, {"operator"}, columns,
+      fmt::format("Means over inputs, of the views that all operators have; in results.csv names "
+                  "begin with {}",
+                  prefix));
 }
 
 /// Mean over the views of an input that are compared, or why there is none.
@@ -135,8 +209,7 @@ Cell mean_cell(const BatchPlan& plan, const Stored& stored, std::size_t input, s
   if (!compared.results[op].empty()) return mean(values_of(compared.results[op], quantity));
   std::size_t done = 0, measured = 0;
   for (std::size_t i = 0; i < stored.size(); ++i) {
-    if (plan.items[i].input != input || plan.items[i].op != op || stored[i].state != ItemState::kDone)
-      continue;
+    if (plan.items[i].input != input || plan.items[i].op != op || !stored[i].mapped()) continue;
     ++done;
     measured += values_of({&stored[i].result}, quantity).size();
   }
@@ -149,39 +222,58 @@ std::string row_title(const BatchInput& input, const ComparedItems& compared) {
   return fmt::format("{} ({} of {} views)", title_of(input), compared.views, views);
 }
 
+/// The operators with the best value of a row, all of several; empty if there is nothing to compare.
+std::string best_of(const BatchPlan& plan, const std::vector<Cell>& row, Better better) {
+  const auto score = [&](std::size_t op) -> std::optional<double> {
+    const double* const value = std::get_if<double>(&row[op + 1]);
+    if (!value) return std::nullopt;
+    return better == Better::kHigher ? *value : better == Better::kLower ? -*value : -std::abs(*value);
+  };
+  std::optional<double> best;
+  for (std::size_t op = 0; op < plan.operators.size(); ++op)
+    if (const auto value = score(op); value && (!best || *value > *best)) best = value;
+  std::string titles;
+  for (std::size_t op = 0; best && op < plan.operators.size(); ++op)
+    if (score(op) == best) titles += (titles.empty() ? "" : ", ") + plan.operators[op].title();
+  return titles;
+}
+
 ReportTable input_table(const BatchPlan& plan, const Stored& stored, const MetricQuantity& quantity) {
   ReportTable table{fmt::format("{} of each input, mean over those of its views that all operators have ({})",
                                 quantity.name, better_text(quantity)),
                     {"input"},
                     {}};
   for (const BatchOperator& op : plan.operators) table.headings.push_back(op.title());
+  const bool ordered = quantity.better != Better::kNeither && plan.operators.size() > 1;
+  if (ordered) table.headings.emplace_back("best");
   for (std::size_t input = 0; input < plan.inputs.size(); ++input) {
     std::vector<Cell>& row = table.rows.emplace_back();
     const ComparedItems compared = compared_items(plan, stored, quantity.name, input);
     row.emplace_back(row_title(plan.inputs[input], compared));
     for (std::size_t op = 0; op < plan.operators.size(); ++op)
       row.push_back(mean_cell(plan, stored, input, op, compared, quantity.name));
+    if (ordered) row.emplace_back(best_of(plan, row, quantity.better));
   }
   return table;
 }
 
-/// One point for each operator: medians over the same views, with quartiles of the quantity.
+/// One point for each operator: medians over the means of inputs, with the extremes of the quantity.
 ReportPlot time_plot(const BatchPlan& plan, const Stored& stored, const MetricQuantity& quantity) {
   ReportPlot plot;
   std::vector<double> times, values;
   const ComparedItems compared = compared_items(plan, stored, quantity.name);
   for (std::size_t op = 0; op < plan.operators.size(); ++op) {
     const std::vector<const ItemResult*>& results = compared.results[op];
-    const std::vector<double> all = values_of(results, quantity.name);
+    const std::vector<double> all = means_of_inputs(compared, values_of(results, quantity.name));
     if (all.empty()) continue;
-    times.push_back(median(milliseconds_per_megapixel(results)));
+    times.push_back(median(means_of_inputs(compared, milliseconds_per_megapixel(results))));
     values.push_back(median(all));
     plot.plot.series.push_back({plan.operators[op].title(),
                                 PlotSeries::Style::kPoints,
                                 {{.x = times.back(),
                                   .y = values.back(),
-                                  .y_low = quantile(all, 0.25),
-                                  .y_high = quantile(all, 0.75)}}});
+                                  .y_low = *std::min_element(all.begin(), all.end()),
+                                  .y_high = *std::max_element(all.begin(), all.end())}}});
   }
   const bool ordered = quantity.better == Better::kHigher || quantity.better == Better::kLower;
   const Goal goal = quantity.better == Better::kHigher ? Goal::kMaximise : Goal::kMinimise;
@@ -195,7 +287,8 @@ ReportPlot time_plot(const BatchPlan& plan, const Stored& stored, const MetricQu
   plot.plot.key = KeyPosition::kOutside;
   plot.plot.width_px = 960;  // the key takes a third
   plot.caption = fmt::format(
-      "{} ({}) over run time: medians over the {} view{} that all operators have, bars are quartiles.",
+      "{} ({}) over run time: medians over inputs, each the mean of its views, of the {} view{} that all "
+      "operators have; bars reach from the lowest to the highest input.",
       quantity.name, better_text(quantity), compared.views, plural(compared.views));
   plot.alt = fmt::format("{} of {} operators over their run time.", quantity.name, plot.plot.series.size());
   return plot;
@@ -218,7 +311,8 @@ ReportSection metric_section(const BatchPlan& plan, const Stored& stored, const 
 
 }  // namespace
 
-BatchReport batch_report(const BatchPlan& plan, const Stored& stored, const Provenance& provenance) {
+BatchReport batch_report(const BatchPlan& plan, const Stored& stored, const std::filesystem::path& folder,
+                         const Provenance& provenance) {
   BatchReport report;
   const ResultTable means = operator_rows(plan, stored);
   report.page.title = plan.study.title;
@@ -229,6 +323,7 @@ BatchReport batch_report(const BatchPlan& plan, const Stored& stored, const Prov
   report.page.key_figures = key_figures(plan, stored);
   if (count_of(stored, ItemState::kFailed) > 0) report.page.sections.push_back(failure_section(plan, stored));
   report.page.sections.push_back(summary_section(plan, stored, means));
+  report.page.sections.push_back(picture_section(plan, stored, folder));
   for (const Metric* metric : plan.metrics)
     report.page.sections.push_back(metric_section(plan, stored, means, *metric, report));
   report.page.sections.push_back(mapping_section(plan, means));

@@ -18,9 +18,9 @@ struct BatchReport {
   std::vector<std::pair<std::string, Plot>> plots;
 };
 
-/// What failed, what was left out, means of each operator, and for each metric its tables and its first
-/// quantity over run time.
+/// What failed, what was left out, means of each operator, what was mapped (the small pictures of `folder`,
+/// of the middle view of each input), and for each metric its tables and its first quantity over run time.
 BatchReport batch_report(const BatchPlan& plan, const std::vector<StoredItem>& stored,
-                         const Provenance& provenance);
+                         const std::filesystem::path& folder, const Provenance& provenance);
 
 }  // namespace plenolab

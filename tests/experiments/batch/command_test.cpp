@@ -41,7 +41,8 @@ TEST_F(BatchCommand, WritesOneTidyTableOneOfTimesAReportAndWhereTheyComeFrom) {
   for (const Json& row : document.at("rows")) qualities += row.at("quantity") == "tmqi" ? 1 : 0;
   EXPECT_EQ(qualities, 18u);
   EXPECT_EQ(csv("out").find("seconds"), std::string::npos) << "times differ from run to run";
-  EXPECT_TRUE(csv("out").starts_with("input,preset,view,operator,variant,settings,quantity,value,unit\r\n"));
+  EXPECT_TRUE(
+      csv("out").starts_with("input,preset,view,operator,variant,settings,note,quantity,value,unit\r\n"));
   EXPECT_NE(batch_file(folder("out"), "timings.csv")
                 .find("field,,\"2,2\",bilateral,naive,contrast=30,seconds_median,"),
             std::string::npos);
@@ -118,8 +119,7 @@ TEST_F(BatchCommand, TheLastShardInOneFolderWritesTheReport) {
 TEST_F(BatchCommand, ADamagedResultIsToldAndComputedAgain) {
   run("out");
   const std::string whole = csv("out");
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(folder("out")) / "items")) files.push_back(entry);
+  const std::vector<fs::path> files = item_files(folder("out"));
   std::string text = read_text_file(files[0]);
   text.at(text.find("\"value\": 0") + 9) = '1';
   write_text_file(files[0], text);
@@ -202,9 +202,9 @@ TEST_F(BatchCommand, PixelsThatAreNotFiniteAreCountedAndLeftOutOfMetrics) {
   study["inputs"] = Json::parse(R"([{"image": "holes.exr"}])");
   write_tiny_batch(parent_.path(), study);
   run("out");
-  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,left_out_pixels,2,px"), std::string::npos)
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,,left_out_pixels,2,px"), std::string::npos)
       << csv("out");
-  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,tmqi,"), std::string::npos) << csv("out");
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,,tmqi,"), std::string::npos) << csv("out");
 }
 
 TEST_F(BatchCommand, AnExtendedStudyComputesOnlyWhatIsNew) {

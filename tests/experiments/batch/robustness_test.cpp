@@ -155,8 +155,7 @@ TEST_F(BatchRobustness, MergeSaysWhyAResultIsNotThere) {
   expect_one_clear_sentence(merged(study_), "study.json is not a folder");
   fs::create_directory(folder("empty"));
   expect_one_clear_sentence(merged(folder("empty")), "holds no results of a batch");
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(folder("out")) / "items")) files.push_back(entry);
+  const std::vector<fs::path> files = item_files(folder("out"));
   const std::string text = read_text_file(files[0]);
   fs::resize_file(files[0], 100);
   expect_one_clear_sentence(merged(folder("out")), "1 of 18 items are damaged: field ");

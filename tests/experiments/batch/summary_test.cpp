@@ -103,7 +103,7 @@ TEST_F(BatchSummary, TimesHoldTheStatisticsAndTheViewsShareOfAFit) {
 TEST_F(BatchSummary, TheReportComparesEachInputOverTheViewsThatAllOperatorsHave) {
   batch_.set(0, 0.1);
   batch_.fail(1);
-  const BatchReport report = batch_report(batch_.plan, batch_.items, {});
+  const BatchReport report = batch_report(batch_.plan, batch_.items, folder_.path(), {});
   bool seen = false;
   for (const ReportSection& section : report.page.sections)
     for (const auto& block : section.blocks)
