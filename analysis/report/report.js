@@ -84,7 +84,7 @@
   }
 
   // ---- Image comparison -------------------------------------------------------------------------------------------
-  const MIN_SIDE = 220, MAX_ZOOM = 64, GRID_FROM = 20, CONTACT_WIDTH = 320, CONTACT_PANE = 250;
+  const MIN_SIDE = 220, MAX_ZOOM = 64, GRID_FROM = 20, CONTACT_WIDTH = 320, CONTACT_PANE = 300;
 
   class Comparison {
     constructor(figure, images) {

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 #include "core/base/error.h"
 #include "core/base/file.h"
 #include "experiments/batch/report.h"
@@ -25,12 +27,16 @@ bool remove_output(const fs::path& file) {
   return was_there;
 }
 
-/// The plots that a report has filed; other files in their folder are not ours.
-void remove_plots(const fs::path& folder) {
+/// The plots that a report has filed, without those named; other files in their folder are not ours.
+void remove_plots(const fs::path& folder, const std::set<std::string>& but = {}) {
+  const std::string dark = "-dark";
   std::error_code error;
   std::vector<fs::path> plots;
-  for (const auto& entry : fs::directory_iterator(folder, error))
-    if (entry.path().stem().string().ends_with(kOverTime)) plots.push_back(entry.path());
+  for (const auto& entry : fs::directory_iterator(folder, error)) {
+    std::string name = entry.path().stem().string();
+    if (name.ends_with(dark)) name.resize(name.size() - dark.size());
+    if (name.ends_with(kOverTime) && but.count(name) == 0) plots.push_back(entry.path());
+  }
   for (const fs::path& plot : plots) remove_output(plot);
   fs::remove(folder, error);  // stays if it is not empty
 }
@@ -73,8 +79,12 @@ void write_batch_outputs(const BatchPlan& plan, const std::vector<StoredItem>& s
   write_text_file(folder / kTimings, to_csv(batch_timing_rows(plan, stored)));
   finish_provenance(provenance);
   const BatchReport report = batch_report(plan, stored, folder, provenance);
-  remove_plots(folder / kPlots);
-  for (const auto& [name, plot] : report.plots) write_plot(plot, folder / kPlots / name);
+  std::set<std::string> names;
+  for (const auto& entry : report.plots) {
+    write_plot(entry.second, folder / kPlots / entry.first);
+    names.insert(entry.first);
+  }
+  remove_plots(folder / kPlots, names);
   write_report(report.page, folder / kReport);
   write_run_json(provenance, folder);
 }

@@ -112,7 +112,7 @@ ImageComparison contact_sheet(const BatchPlan& plan, const Stored& stored, std::
     if (!stored[first + op].mapped()) continue;
     const std::string remark = exposure_remark(stored[first + op].result);
     try {
-      sheet.images.push_back({plan.operators[op].title() + (remark.empty() ? "" : " – " + remark),
+      sheet.images.push_back({(remark.empty() ? "" : remark + ": ") + plan.operators[op].title(),
                               read_display_image(picture_file(folder, plan.items[first + op]))});
     } catch (const InputError&) {
       // Somebody took the picture away; the numbers are there all the same.

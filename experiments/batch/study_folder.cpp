@@ -52,6 +52,9 @@ void claim_study_folder(const fs::path& folder, const fs::path& study, bool forc
         fmt::format("{} holds the batch of another study, {}: choose another folder, or give "
                     "--force to replace its tables and report",
                     folder.string(), other));
+  // First: another run that starts now must find a batch, not a file half written.
+  std::error_code error;
+  fs::create_directories(folder / kItemsFolder, error);  // the mark cannot be written if this fails
   const Json mark{{"format", "plenolab-batch-folder"}, {"version", 1}, {"study", path}, {"hash", hash}};
   write_text_file(folder / kMark, mark.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
