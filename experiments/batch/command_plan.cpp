@@ -75,8 +75,10 @@ ResultTable input_rows(const BatchPlan& plan, const std::vector<StoredItem>& sto
 std::map<std::string, int> known_problems(const BatchPlan& plan) {
   std::map<std::string, int> problems;
   for (const BatchItem& item : plan.items)
-    if (const std::string problem = plan.problems_of(item); !problem.empty())
-      ++problems[title_of(plan.inputs[item.input]) + ": " + problem];
+    if (const std::string problem = plan.problems_of(item); !problem.empty()) {
+      const std::string title = title_of(plan.inputs[item.input]);
+      ++problems[(problem.starts_with(title) ? "" : title + ": ") + problem];
+    }
   return problems;
 }
 
