@@ -2,9 +2,13 @@
 # (experiments/batch/plan.h). Included by the top CMakeLists.txt it declares the build step; run with cmake -P it is
 # that step and writes OUTPUT.
 #
-# It covers all sources of the layers below, how one item is computed, and the version of the compiler.
+# It covers all sources of the layers below, how one item is computed, and the version of the compiler. The test
+# MethodSources follows the includes and names what is not in the lists.
 set(method_folders core/base core/image core/io core/lightfield core/tonemap metrics)
-set(method_files experiments/batch/measure.cpp experiments/batch/adjusted.cpp experiments/batch/input.cpp)
+set(method_files "")
+foreach(name batch/measure batch/adjusted batch/input score tonemap_fit tonemap_field cli/inputs)
+  list(APPEND method_files experiments/${name}.h experiments/${name}.cpp)
+endforeach()
 if(NOT CMAKE_SCRIPT_MODE_FILE)
   set(files "")
   foreach(folder IN LISTS method_folders)

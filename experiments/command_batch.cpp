@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "experiments/batch/commands.h"
 #include "experiments/batch/outputs.h"
+#include "experiments/batch/run.h"
 #include "experiments/batch/summary.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/wide_table.h"
@@ -53,6 +54,16 @@ Provenance begin_batch(const Invocation& invocation, const BatchOptions& options
   return provenance;
 }
 
+void remove_outdated_outputs(const BatchPlan& plan, const fs::path& folder, const CommonOptions& options) {
+  const std::vector<StoredItem> stored = read_items(plan, folder);
+  const auto open = std::count_if(stored.begin(), stored.end(), is_open);
+  if (open == 0) return;
+  if (const std::string removed = remove_earlier_outputs(folder); !removed.empty())
+    tell(options, fmt::format("removed {} of an earlier study from {}: {} of {} items of this one are not "
+                              "there yet; results of items are kept",
+                              removed, folder.string(), open, stored.size()));
+}
+
 void finish_batch(const BatchPlan& plan, const std::vector<StoredItem>& stored, const fs::path& folder,
                   Provenance& provenance, const CommonOptions& options) {
   const auto failed = std::count_if(stored.begin(), stored.end(),
@@ -60,8 +71,11 @@ void finish_batch(const BatchPlan& plan, const std::vector<StoredItem>& stored, 
   provenance.parameters["items"] = static_cast<long long>(stored.size());
   provenance.parameters["items_failed"] = static_cast<long long>(failed);
   write_batch_outputs(plan, stored, folder, provenance);
-  if (!output_is_for_programs(options))
+  if (!output_is_for_programs(options)) {
     fmt::print("{}", to_wide_text(operator_rows(plan, stored), {"operator"}, columns_for_people(plan)));
+    for (const auto& notes : {comparison_notes(plan, stored), exposure_notes(plan, stored)})
+      for (const std::string& note : notes) fmt::print("{}\n", note);
+  }
   write_results(batch_rows(plan, stored), provenance, options);
   tell(options, fmt::format("wrote results.csv, timings.csv and report.html to {}", folder.string()));
   if (failed > 0)

@@ -166,8 +166,11 @@ std::vector<Metric> make_table() {
        .summary = "Features of BRISQUE (Mittal et al. 2012) in a regressor trained on plenolab's scenes; not "
                   "the published score.",
        .symmetric = false,
-       .quantities = {{"brisque_plenolab", "1", Better::kLower, 0, 100, kDependsOnImage,
-                       "How unlike undistorted pictures the statistics of the image are.", false}},
+       .quantities =
+           {{"brisque_plenolab", "1", Better::kLower, 0, 100, kDependsOnImage,
+             "How unlike undistorted pictures the statistics of the image are. It knows distortions "
+             "of well exposed pictures only: nearly white ones can score well.",
+             false}},
        .judge = brisque_plenolab},
   };
 }

@@ -84,7 +84,7 @@
   }
 
   // ---- Image comparison -------------------------------------------------------------------------------------------
-  const MIN_SIDE = 220, MAX_ZOOM = 64, GRID_FROM = 20;
+  const MIN_SIDE = 220, MAX_ZOOM = 64, GRID_FROM = 20, CONTACT_WIDTH = 320, CONTACT_PANE = 300;
 
   class Comparison {
     constructor(figure, images) {
@@ -93,7 +93,8 @@
       this.labels = images.map((image) => image.dataset.label);
       this.width = images[0].naturalWidth;
       this.height = images[0].naturalHeight;
-      this.mode = images.length > 1 ? 'wipe' : 'flip';
+      this.contact = images.length > 2 && this.width <= CONTACT_WIDTH;  // a contact sheet: small, all at once
+      this.mode = this.contact ? 'side' : images.length > 1 ? 'wipe' : 'flip';
       this.current = 0;
       this.previous = Math.min(1, images.length - 1);
       this.left = 0;
@@ -207,6 +208,7 @@
           const scale = Math.min(w / columns / this.width, most / rows / this.height);
           if (scale > best * 1.001) { best = scale; this.columns = columns; }
         }
+        if (this.contact && !full) this.columns = Math.max(1, Math.min(this.images.length, Math.round(w / CONTACT_PANE)));
         h = w / this.columns * this.height / this.width * Math.ceil(this.images.length / this.columns);
       }
       h = full ? most : Math.max(MIN_SIDE, Math.min(h, most));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 
@@ -11,12 +12,20 @@ namespace plenolab {
 using Json = nlohmann::json;
 
 Json parse_json(std::string_view text, const std::string& name, int max_nesting) {
-  const auto bounded = [&](int depth, Json::parse_event_t, Json&) {
+  std::vector<std::set<std::string>> keys;  // of the objects that are open
+  const auto checked = [&](int depth, Json::parse_event_t event, Json& parsed) {
+    using Event = Json::parse_event_t;
     if (depth > max_nesting) throw InputError(fmt::format("{} is nested too deeply", name));
+    if (event == Event::object_start) keys.emplace_back();
+    if (event == Event::object_end) keys.pop_back();
+    // The parser would silently take the last of them.
+    if (event == Event::key && !keys.back().insert(parsed.get<std::string>()).second)
+      throw InputError(fmt::format("{} has the key \"{}\" twice in one object", name,
+                                   parsed.get<std::string>().substr(0, 80)));
     return true;
   };
   try {
-    return Json::parse(text, bounded);
+    return Json::parse(text, checked);
   } catch (const Json::exception& error) {
     throw InputError(fmt::format("{} is not valid JSON: {}", name, error.what()));
   }

@@ -9,7 +9,7 @@
 namespace plenolab {
 
 /// Parses a JSON document of at most `max_nesting` levels (the parser works recursively: deep nesting would
-/// exhaust the stack). Throws InputError naming `name`.
+/// exhaust the stack). No object may have a key twice. Throws InputError naming `name`.
 nlohmann::json parse_json(std::string_view text, const std::string& name, int max_nesting);
 
 /// One object of a JSON file from outside, with the name of its file and its place in it, so that every

@@ -4,7 +4,6 @@
 #include <optional>
 
 #include "core/base/error.h"
-#include "core/tonemap/adjustment/key_view_adjustment.h"
 
 namespace plenolab {
 
@@ -15,7 +14,7 @@ constexpr std::size_t kMemory_bytes = std::size_t{1} << 30;
 
 }  // namespace
 
-AdjustedViews adjusted_views(const OperatorChoice& choice, const LoadedInput& input,
+AdjustedField adjusted_field(const OperatorChoice& choice, const LoadedInput& input,
                              const std::vector<BatchView>& wanted, int threads) {
   const LightField* const field = input.light_field();
   if (!field) throw InputError("key-view adjustment is for light fields, not for single images");
@@ -34,14 +33,15 @@ AdjustedViews adjusted_views(const OperatorChoice& choice, const LoadedInput& in
         return KeyView<DisplayReferred>{map_view({column, row}).image, field->view(column, row)->disparity};
       },
       kMemory_bytes);
-  AdjustedViews views;
+  AdjustedField adjusted;
   const auto keep = [&](int column, int row, const DisplayImage& image) {
     const BatchView place{column, row};
     if (std::find(wanted.begin(), wanted.end(), place) != wanted.end())
-      views[place] = {image, map_view(place).counts};
+      adjusted.views[place] = {image, map_view(place).counts};
   };
-  adjust_key_views(*field, mapped, {}, keep, {.threads = threads, .memory_bound_bytes = kMemory_bytes});
-  return views;
+  adjusted.counts =
+      adjust_key_views(*field, mapped, {}, keep, {.threads = threads, .memory_bound_bytes = kMemory_bytes});
+  return adjusted;
 }
 
 }  // namespace plenolab

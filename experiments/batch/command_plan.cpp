@@ -7,6 +7,7 @@
 
 #include "experiments/batch/commands.h"
 #include "experiments/batch/run.h"
+#include "experiments/batch/summary.h"
 #include "experiments/cli/checks.h"
 #include "experiments/cli/progress_bar.h"
 #include "experiments/cli/wide_table.h"
@@ -27,6 +28,8 @@ const char* name_of(const BatchItem& item, const StoredItem& stored) {
       return "failed";
     case ItemState::kDamaged:
       return "damaged";
+    case ItemState::kIncomplete:
+      return "metrics to do";
     case ItemState::kMissing:
       break;
   }
@@ -41,8 +44,8 @@ ResultTable item_rows(const BatchPlan& plan, const std::vector<StoredItem>& stor
     Columns columns = plan.columns(item);
     columns.emplace_back("state", std::string(name_of(item, stored[i])));
     columns.emplace_back("key", item.key);
-    const std::string& why = stored[i].result.failed() ? stored[i].result.failure : item.problem;
-    columns.emplace_back("note", why);
+    const std::string failures = stored[i].result.failures();
+    columns.emplace_back("note", failures.empty() ? plan.problems_of(item) : failures);
     table.add({"done", stored[i].state == ItemState::kDone ? 1.0 : 0.0, "1", columns});
   }
   return table;
@@ -68,6 +71,17 @@ ResultTable input_rows(const BatchPlan& plan, const std::vector<StoredItem>& sto
   return table;
 }
 
+/// What is known to fail, and for how many items.
+std::map<std::string, int> known_problems(const BatchPlan& plan) {
+  std::map<std::string, int> problems;
+  for (const BatchItem& item : plan.items)
+    if (const std::string problem = plan.problems_of(item); !problem.empty()) {
+      const std::string title = title_of(plan.inputs[item.input]);
+      ++problems[(problem.starts_with(title) ? "" : title + ": ") + problem];
+    }
+  return problems;
+}
+
 struct Rest {
   std::size_t items = 0;          ///< that are not done
   std::optional<double> seconds;  ///< nothing if no item is done yet
@@ -83,7 +97,7 @@ Rest rest_of(const BatchPlan& plan, const std::vector<StoredItem>& stored) {
   for (std::size_t i = 0; i < plan.items.size(); ++i)
     if (stored[i].state == ItemState::kDone)
       for (Sum* sum : {&of_input[plan.items[i].input], &all})
-        sum->seconds += stored[i].result.seconds, sum->items += 1;
+        sum->seconds += stored[i].result.seconds_with_metrics(), sum->items += 1;
   Rest rest;
   for (std::size_t i = 0; i < plan.items.size(); ++i) {
     if (stored[i].state == ItemState::kDone) continue;
@@ -112,8 +126,8 @@ void run_plan(const Invocation& invocation, const PlanOptions& options, const CL
   if (!output_is_for_programs(options.common)) {
     fmt::print("{}", to_wide_text(input_rows(plan, stored), {"input", "preset"},
                                   {{"items", "items"}, {"items_done", "done"}, {"items_failed", "failed"}}));
-    for (const BatchInput& input : plan.inputs)
-      if (!input.problem.empty()) fmt::print("{} cannot be done: {}\n", input.choice.title(), input.problem);
+    for (const auto& [problem, items] : known_problems(plan))
+      fmt::print("{} item{} cannot be done, wholly or in part: {}\n", items, items == 1 ? "" : "s", problem);
     fmt::print("{}\n", rest_text(plan, rest));
   }
   ResultTable rows = item_rows(plan, stored);

@@ -44,6 +44,12 @@ std::vector<BatchInputChoice> one_by_one(const BatchStudy& study, const std::str
   std::vector<BatchInputChoice> choices;
   for (const BatchInputChoice& choice : study.inputs) {
     const bool scene = choice.kind == Kind::kScene;
+    for (const LitSceneEntry& lit : display_scenes())
+      if (scene && choice.source == lit.id)
+        throw InputError(
+            fmt::format("{}: \"inputs\" names the scene \"{}\", which is for luminance displays "
+                        "('plenolab luminance'): a batch maps the scenes {}",
+                        file, choice.source, fmt::join(ids, ", ")));
     if (scene && choice.source != "all" && std::find(ids.begin(), ids.end(), choice.source) == ids.end())
       throw InputError(fmt::format("{}: \"inputs\" names the scene \"{}\", which there is not{}", file,
                                    choice.source, did_you_mean(choice.source, ids)));
@@ -59,20 +65,16 @@ std::vector<BatchInputChoice> one_by_one(const BatchStudy& study, const std::str
   return choices;
 }
 
-/// The views asked for, in their order. Throws InputError for one that the grid has not.
-std::vector<BatchView> views_on(const ViewGrid& grid, const BatchViews& wanted) {
-  if (wanted.which == BatchViews::Which::kCentre) return {{grid.columns / 2, grid.rows / 2}};
-  if (wanted.which == BatchViews::Which::kListed) {
-    for (const BatchView& view : wanted.listed)
-      if (view.column >= grid.columns || view.row >= grid.rows)
-        throw InputError(fmt::format("there is no view [{}, {}] among its {} × {}", view.column, view.row,
-                                     grid.columns, grid.rows));
-    return wanted.listed;
-  }
-  std::vector<BatchView> all;
-  for (int row = 0; row < grid.rows; ++row)
-    for (int column = 0; column < grid.columns; ++column) all.push_back({column, row});
-  return all;
+/// Notes the grid and the views asked for, in their order; those that the grid has not stay among them.
+void choose_views(BatchInput& input, const ViewGrid& grid) {
+  input.columns = grid.columns;
+  input.rows = grid.rows;
+  const BatchViews& wanted = input.choice.views;
+  if (wanted.which == BatchViews::Which::kCentre) input.views = {{grid.columns / 2, grid.rows / 2}};
+  if (wanted.which == BatchViews::Which::kListed) input.views = wanted.listed;
+  if (wanted.which == BatchViews::Which::kAll)
+    for (int row = 0; row < grid.rows; ++row)
+      for (int column = 0; column < grid.columns; ++column) input.views.push_back({column, row});
 }
 
 /// A scene is known by the cache keys of its views: they hold all that decides a rendering.
@@ -90,7 +92,7 @@ void identify_scene(BatchInput& input, std::uint64_t seed) {
       hash.add(render_cache_key(laboratory.scene(id), grid,
                                 {static_cast<double>(column), static_cast<double>(row)}, settings));
   input.content = hash.hex();
-  input.views = views_on(grid, input.choice.views);
+  choose_views(input, grid);
   input.cd_m2_per_unit = 1;
 }
 
@@ -113,32 +115,71 @@ std::string hash_light_field(const fs::path& folder) {
 
 void identify_light_field(BatchInput& input) {
   const LightField field = open_radiance(input.path);
-  input.views = views_on(field.grid(), input.choice.views);
+  choose_views(input, field.grid());
   if (field.unit() == RadianceUnit::kCdM2) input.cd_m2_per_unit = 1;
   input.content = hash_light_field(input.path);
 }
 
+/// What is no file (a folder, a pipe that nobody fills) must not be read.
 void identify_image(BatchInput& input) {
+  std::error_code error;
+  const fs::file_status status = fs::status(input.path, error);
+  if (!fs::exists(status)) throw InputError(fmt::format("{} does not exist", input.path.string()));
+  if (is_display_file(input.path))
+    throw InputError(
+        fmt::format("{} holds display values, not radiance: give .exr, .hdr or .pfm", input.path.string()));
+  if (!fs::is_regular_file(status)) throw InputError(fmt::format("{} is not a file", input.path.string()));
   input.content = hash_file(input.path);
   input.cd_m2_per_unit = declared_cd_m2_per_unit(input.path);
+}
+
+void find_content(BatchInput& input, std::uint64_t seed) {
+  if (input.choice.kind == Kind::kScene) identify_scene(input, seed);
+  if (input.choice.kind == Kind::kLightField) identify_light_field(input);
+  if (input.choice.kind == Kind::kImage) identify_image(input);
+}
+
+/// Why an input cannot be opened; empty if it can. Whatever it is, it must not end a batch of other inputs.
+std::string problem_of(BatchInput& input, std::uint64_t seed) {
+  try {
+    find_content(input, seed);
+    return "";
+  } catch (const fs::filesystem_error& error) {
+    return fmt::format("{} cannot be opened: {}", input.path.string(), error.code().message());
+  } catch (const std::bad_alloc&) {
+    return fmt::format("{} needs more memory than there is: its header may be damaged", input.path.string());
+  } catch (const std::exception& error) {
+    return error.what();
+  }
 }
 
 BatchInput identify(const BatchInputChoice& choice, const fs::path& folder, std::uint64_t seed) {
   BatchInput input{.choice = choice};
   if (choice.kind != Kind::kScene) input.path = folder / choice.source;
-  try {
-    if (choice.kind == Kind::kScene) identify_scene(input, seed);
-    if (choice.kind == Kind::kLightField) identify_light_field(input);
-    if (choice.kind == Kind::kImage) identify_image(input);
-  } catch (const InputError& error) {
-    input.problem = error.what();
+  if (const std::string problem = problem_of(input, seed); !problem.empty()) {
+    input.problem = input.as_spelled(problem);
     input.content.clear();
+    input.views.clear();
   }
   if (choice.cd_m2_per_unit) input.cd_m2_per_unit = choice.cd_m2_per_unit;
   return input;
 }
 
 }  // namespace
+
+std::string BatchInput::as_spelled(std::string message) const {
+  const std::string found = path.string();
+  if (found.empty()) return message;
+  for (std::size_t at = 0; (at = message.find(found, at)) != std::string::npos; at += choice.source.size())
+    message.replace(at, found.size(), choice.source);
+  return message;
+}
+
+std::string BatchInput::problem_with(const BatchView& view) const {
+  if (!problem.empty()) return problem;
+  if (columns == 0 || (view.column < columns && view.row < rows)) return "";
+  return fmt::format("there is no view [{}, {}] among its {} × {}", view.column, view.row, columns, rows);
+}
 
 std::vector<BatchInput> identify_inputs(const BatchStudy& study, const fs::path& folder, std::uint64_t seed,
                                         const std::string& file) {

@@ -19,9 +19,15 @@ struct BatchInput {
   BatchInputChoice choice;               ///< of one scene, never "all"
   std::filesystem::path path;            ///< of files: from the folder of the study
   std::string content;                   ///< hash of everything that decides its pixels; empty with a problem
-  std::vector<BatchView> views;          ///< to be mapped; empty for images
+  int columns = 0, rows = 0;             ///< of its key views; 0 for images
+  std::vector<BatchView> views;          ///< to be mapped, even where there are none; empty for images
   std::optional<double> cd_m2_per_unit;  ///< luminance of a value of 1, as the study or the input says
   std::string problem;                   ///< why it cannot be opened; empty if it can
+
+  /// A message with the input's path as the study spells it, so that it reads alike on every machine.
+  std::string as_spelled(std::string message) const;
+  /// Why this view of it cannot be mapped; empty if nothing is known.
+  std::string problem_with(const BatchView& view) const;
 };
 
 /// Inputs of a study, with "all" scenes one by one. `folder` is what relative paths start from. Nothing is

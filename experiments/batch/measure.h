@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "experiments/batch/adjusted.h"
@@ -13,13 +14,21 @@ namespace plenolab {
 /// With key-view adjustment all views are mapped, once: that is the fit.
 struct TimedFit {
   FittedOperator fitted;
-  AdjustedViews adjusted;  ///< with key-view adjustment, in place of `fitted`
+  std::optional<AdjustedField> adjusted;  ///< with key-view adjustment, in place of `fitted`
   std::vector<double> seconds;
   int views = 1;  ///< that it is for
 };
 
-/// Fits for whole light fields, by operator of the plan: made once for all views of an input.
-using SharedFits = std::map<std::size_t, std::shared_ptr<const TimedFit>>;
+/// What is made once for several items of an input.
+struct SharedWork {
+  int repeat = 1;                                               ///< timed runs
+  std::map<std::size_t, std::shared_ptr<const TimedFit>> fits;  ///< for whole light fields, by operator
+  std::map<BatchView, double> statistics_s;                     ///< median time of a view's statistics
+};
+
+/// Whether an operator reads statistics of luminance (FitScope: statistics, floor or log average) at all.
+/// Those are measured once for all operators, so that their time must be counted to each that reads them.
+bool reads_statistics(const OperatorChoice& choice, bool unit_is_known);
 
 /// An item that is mapped and not yet measured.
 struct MappedItem {
@@ -28,15 +37,18 @@ struct MappedItem {
   ItemResult result;  ///< with counts and timings, or with a failure
 };
 
-/// Fits and maps, each `repeat` times on `threads` threads, after one time that does not count if there are
-/// several; a fit that is in `fits` is not made again. Values: mean_luma, counts of add_count_rows. Timings:
-/// those of add_timing_rows, of fit and mapping together, the medians seconds_fit and seconds_map, and
-/// fit_views, for how many views the fit is. Whatever goes wrong is the result's failure.
-MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input, SharedFits& fits,
-                    int threads);
+/// Fits and maps, each `shared.repeat` times on `threads` threads, after one time that does not count if
+/// there are several; what is in `shared` is not made again. Values: mean_luma, counts of add_count_rows,
+/// with key-view adjustment those of add_adjustment_rows, left_out_pixels (those where the input is NaN or
+/// infinite). Timings: those of add_timing_rows, of fit and mapping together, the medians seconds_fit and
+/// seconds_map, fit_views, for how many views the fit is, and seconds_statistics, the median for the
+/// statistics of this view (those of others count to theirs), 0 if the operator reads none. Whatever goes
+/// wrong is the result's failure.
+MappedItem map_item(const BatchPlan& plan, const BatchItem& item, const LoadedInput& input,
+                    SharedWork& shared, int threads);
 
-/// Adds the values of the metrics, over all pixels but those where the input is NaN or infinite, whose number
-/// is the value left_out_pixels. Whatever goes wrong is the result's failure.
+/// Adds the metrics of the plan that the result has not, or has failed at, over all pixels but those left
+/// out. Whatever goes wrong is that metric's failure.
 void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapped, int threads);
 
 /// The result of an item that failed.

@@ -58,64 +58,87 @@ std::vector<BatchOperator> resolve_operators(const BatchStudy& study, const std:
   return operators;
 }
 
+/// By its own name or that of its family.
+bool is_named(const Metric& metric, const std::vector<std::string>& names) {
+  return std::find(names.begin(), names.end(), metric.name) != names.end() ||
+         std::find(names.begin(), names.end(), metric.family) != names.end();
+}
+
+/// Names of metrics and families that a study may ask for, each once.
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names{"all"};
+  for (const Metric& metric : metrics()) {
+    if (!metric.compare_mapped && !metric.judge) continue;
+    for (const std::string& name : {std::string(metric.family), std::string(metric.name)})
+      if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
+}
+
+void require_known(const std::vector<std::string>& names, const std::string& file) {
+  for (const std::string& name : names)
+    if (name != "all" && std::none_of(metrics().begin(), metrics().end(), [&](const Metric& metric) {
+          return name == metric.name || name == metric.family;
+        }))
+      throw InputError(fmt::format("{}: \"metrics\": there is no metric \"{}\"; choose from {}", file, name,
+                                   fmt::join(metric_names(), ", ")));
+}
+
 /// All that were asked for and take a tone mapped image; asked for by name, all must.
 void resolve_metrics(BatchPlan& plan, const std::string& file) {
   const std::vector<std::string>& names = plan.study.metrics;
-  try {
-    plan.metrics = select_metrics(names);
-  } catch (const InputError& error) {
-    throw InputError(fmt::format("{}: \"metrics\": {}", file, error.what()));
-  }
+  require_known(names, file);
+  plan.metrics = select_metrics(names);
   for (const Metric* metric : plan.metrics) {
-    const bool named = std::find(names.begin(), names.end(), metric->name) != names.end() ||
-                       std::find(names.begin(), names.end(), metric->family) != names.end();
-    if (named && !metric->compare_mapped && !metric->judge)
+    if (is_named(*metric, names) && !metric->compare_mapped && !metric->judge)
       throw InputError(fmt::format("{}: \"metrics\": {} does not compare a tone mapped image with its scene",
                                    file, metric->name));
-    if (!named && metric->absolute_luminance) plan.unscalable.push_back(metric);
   }
   std::erase_if(plan.metrics, [](const Metric* metric) { return !metric->compare_mapped && !metric->judge; });
+  for (const Metric* metric : plan.metrics)
+    if (metric->absolute_luminance && !is_named(*metric, names)) plan.unscalable.push_back(metric);
 }
 
-/// Why none of an input's items can be computed; empty if nothing is known.
-std::string problem_of(const BatchPlan& plan, const BatchInput& input) {
-  if (!input.problem.empty()) return input.problem;
-  for (const Metric* metric : plan.metrics_for(input))
-    if (metric->absolute_luminance && !input.cd_m2_per_unit)
-      return fmt::format(
-          "{} needs the luminance of a value of 1, which {} does not say: give \"cd_m2_per_unit\"",
-          metric->name, input.choice.title());
+/// Why an operator cannot map a view of an input; empty if nothing is known.
+std::string problem_of(const BatchOperator& op, const BatchInput& input, const BatchView& view) {
+  if (std::string problem = input.problem_with(view); !problem.empty()) return problem;
+  if (op.choice.adjusted && input.choice.kind == BatchInputChoice::Kind::kImage)
+    return "key-view adjustment is for light fields, not for single images";
   return "";
 }
 
-/// Everything that decides the result of an item.
+/// What stands for the pixels of an input that cannot be opened: the input as the study spells it. Neither
+/// where the study lies nor what is wrong counts, since machines differ in both.
+std::string content_of(const BatchInput& input) {
+  if (!input.content.empty()) return input.content;
+  return fmt::format("cannot be opened: {} {} {}", static_cast<int>(input.choice.kind), input.choice.source,
+                     input.choice.preset);
+}
+
+/// Everything that decides the mapping of an item.
 std::string key_of(const BatchPlan& plan, const BatchItem& item) {
   const BatchInput& input = plan.inputs[item.input];
   const OperatorChoice& choice = plan.operators[item.op].choice;
   ContentHash hash;
   hash.add(method_sources::kHash);
-  hash.add(input.content.empty() ? "problem " + plan.title(item) + item.problem : input.content);
+  hash.add(content_of(input));
   hash.add(input.cd_m2_per_unit.value_or(0));
   hash.add(static_cast<double>(item.view.column));
   hash.add(static_cast<double>(item.view.row));
   hash.add(choice.info->id);
   hash.add(choice.variant_name());
   hash.add(settings_text(choice));
-  for (const Metric* metric : plan.metrics_for(input)) hash.add(metric->name);
-  const ViewingConditions& viewing = plan.study.viewing;
-  for (const double value : {viewing.pixels_per_degree, viewing.distance_m, viewing.display_peak_cd_m2,
-                             viewing.display_black_cd_m2, static_cast<double>(plan.study.repeat)})
-    hash.add(value);
+  hash.add(static_cast<double>(plan.study.repeat));
   return hash.hex();
 }
 
 void add_items(BatchPlan& plan, std::size_t input) {
   std::vector<BatchView> views = plan.inputs[input].views;
   if (views.empty()) views.emplace_back();
-  const std::string problem = problem_of(plan, plan.inputs[input]);
   for (const BatchView& view : views)
     for (std::size_t op = 0; op < plan.operators.size(); ++op) {
-      BatchItem item{.input = input, .op = op, .view = view, .key = {}, .problem = problem};
+      BatchItem item{.input = input, .op = op, .view = view, .key = {}, .problem = {}};
+      item.problem = problem_of(plan.operators[op], plan.inputs[input], view);
       item.key = key_of(plan, item);
       plan.items.push_back(std::move(item));
     }
@@ -142,11 +165,12 @@ Columns BatchPlan::columns(const BatchItem& item) const {
 
 std::string BatchPlan::title(const BatchItem& item) const {
   std::string text;
-  for (const auto& column : columns(item)) {
-    const auto& word = std::get<std::string>(column.second);
-    text += (text.empty() || word.empty() ? "" : " ") + word;
-  }
+  for (const auto& column : columns(item)) add_word(text, std::get<std::string>(column.second));
   return text;
+}
+
+void add_word(std::string& title, const std::string& word) {
+  title += (title.empty() || word.empty() ? "" : " ") + word;
 }
 
 std::vector<const Metric*> BatchPlan::metrics_for(const BatchInput& input) const {
@@ -156,6 +180,31 @@ std::vector<const Metric*> BatchPlan::metrics_for(const BatchInput& input) const
       return std::find(unscalable.begin(), unscalable.end(), metric) != unscalable.end();
     });
   return chosen;
+}
+
+std::string BatchPlan::metric_key(const Metric& metric) const {
+  const ViewingConditions& viewing = study.viewing;
+  ContentHash hash;
+  hash.add(metric.name);
+  for (const double value : {viewing.pixels_per_degree, viewing.distance_m, viewing.display_peak_cd_m2,
+                             viewing.display_black_cd_m2})
+    hash.add(value);
+  return hash.hex();
+}
+
+std::string BatchPlan::problem_of(const Metric& metric, const BatchInput& input) const {
+  if (!metric.absolute_luminance || input.cd_m2_per_unit) return "";
+  return fmt::format("it needs the luminance of a value of 1, which {} does not say: give \"cd_m2_per_unit\"",
+                     input.choice.title());
+}
+
+std::string BatchPlan::problems_of(const BatchItem& item) const {
+  if (!item.problem.empty()) return item.problem;
+  std::string text;
+  for (const Metric* metric : metrics_for(inputs[item.input]))
+    if (const std::string problem = problem_of(*metric, inputs[item.input]); !problem.empty())
+      text += (text.empty() ? "" : "; ") + metric->name + ": " + problem;
+  return text;
 }
 
 BatchPlan plan_batch(const fs::path& study_file, std::uint64_t seed) {

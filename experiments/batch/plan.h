@@ -22,8 +22,8 @@ struct BatchOperator {
 struct BatchItem {
   std::size_t input = 0, op = 0;  ///< of the plan
   BatchView view;                 ///< unused for images
-  std::string key;                ///< hash of everything that decides its result: its name on disk
-  std::string problem;            ///< why it cannot be computed; empty if nothing is known
+  std::string key;                ///< hash of everything that decides its mapping: its name on disk
+  std::string problem;            ///< why it cannot be mapped; empty if nothing is known
 };
 
 /// A study with all that it names found.
@@ -42,11 +42,20 @@ struct BatchPlan {
   std::string title(const BatchItem& item) const;
   /// The metrics that an input is measured with.
   std::vector<const Metric*> metrics_for(const BatchInput& input) const;
+  /// Hash of what decides a metric's values beside the item's key: its name and the viewing conditions.
+  std::string metric_key(const Metric& metric) const;
+  /// Why a metric will fail on an input; empty if nothing is known.
+  std::string problem_of(const Metric& metric, const BatchInput& input) const;
+  /// Why an item, or some of its metrics, will fail; empty if nothing is known.
+  std::string problems_of(const BatchItem& item) const;
 };
 
+/// Adds a word of a title, with a space before all but the first; nothing if it is empty.
+void add_word(std::string& title, const std::string& word);
+
 /// Reads a study file and finds its inputs, operators and metrics. `seed` is used if the study has none. An
-/// input that cannot be opened, or does not say its unit where a metric that was asked for by name needs it,
-/// gives items with a problem. Throws InputError, naming file and key, for everything else.
+/// input that cannot be opened, or is no light field where an operator needs one, gives items with a problem.
+/// Throws InputError, naming file and key, for everything else.
 BatchPlan plan_batch(const std::filesystem::path& study_file, std::uint64_t seed);
 
 /// Which part of the items one process computes: part `index` of `count`, 1-based; neighbours in the plan

@@ -137,7 +137,7 @@ void check_head(const JsonReader& root) {
   if (root.integer("version", 0, std::numeric_limits<int>::max()) != kFormatVersion)
     root.wrong("version", fmt::format("must be {}: this program knows no other", kFormatVersion));
   root.allow_only({"format", "version", "comment", "title", "inputs", "views", "operators", "metrics",
-                   "viewing", "repeat", "seed"});
+                   "viewing", "repeat", "seed", "keep_images"});
 }
 
 void read_viewing(const JsonReader& root, BatchStudy& study) {
@@ -169,6 +169,10 @@ BatchStudy parse_batch_study(std::string_view json, const std::string& name) {
   if (study.metrics.empty()) root.wrong("metrics", "must name at least one");
   read_viewing(root, study);
   if (root.has("repeat")) study.repeat = root.integer("repeat", 1, kMostRepeats);
+  if (root.has("keep_images")) {
+    if (!root.value("keep_images").is_boolean()) root.wrong("keep_images", "must be true or false");
+    study.keep_images = root.value("keep_images").get<bool>();
+  }
   if (root.has("seed"))
     study.seed = static_cast<std::uint64_t>(root.integer("seed", 0, std::numeric_limits<int>::max()));
   return study;

@@ -57,6 +57,7 @@ struct BatchStudy {
   std::vector<std::string> metrics{"all"};
   ViewingConditions viewing;
   int repeat = 3;                     ///< timed runs of fit and mapping
+  bool keep_images = false;           ///< mapped images in full size
   std::optional<std::uint64_t> seed;  ///< of renderings
 };
 

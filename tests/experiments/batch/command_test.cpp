@@ -15,26 +15,15 @@
 #include "core/tonemap/light_field_mapping.h"
 #include "experiments/reproduce/laboratory.h"
 #include "metrics/consistency.h"
-#include "tests/experiments/batch/tiny_batch.h"
+#include "tests/experiments/batch/batch_command.h"
 
 namespace plenolab {
 namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-class BatchCommand : public testing::Test {
+class BatchInterruption : public BatchCommand {
  protected:
-  /// Runs `batch run` on the study; the exit status must be `status`.
-  ProgramResult run(const std::string& name, std::vector<std::string> more = {}, int status = 0) {
-    std::vector<std::string> arguments{"batch", "run", study_, "-o", folder(name)};
-    arguments.insert(arguments.end(), more.begin(), more.end());
-    ProgramResult result = run_program(arguments);
-    EXPECT_EQ(result.status, status) << result.err;
-    return result;
-  }
-  std::string folder(const std::string& name) const { return parent_.path() / name; }
-  std::string csv(const std::string& name) const { return batch_file(folder(name), "results.csv"); }
-
   /// Starts the study and kills the program once it has stored so many items. Whether it was still running.
   bool run_and_kill(const std::string& name, std::size_t items) {
     RunningProgram program({"batch", "run", study_, "-o", folder(name), "--threads", "1"});
@@ -43,9 +32,6 @@ class BatchCommand : public testing::Test {
     program.send(SIGKILL);
     return program.wait().status == -SIGKILL;
   }
-
-  TemporaryFolder parent_;
-  std::string study_ = write_tiny_batch(parent_.path());
 };
 
 TEST_F(BatchCommand, WritesOneTidyTableOneOfTimesAReportAndWhereTheyComeFrom) {
@@ -55,7 +41,8 @@ TEST_F(BatchCommand, WritesOneTidyTableOneOfTimesAReportAndWhereTheyComeFrom) {
   for (const Json& row : document.at("rows")) qualities += row.at("quantity") == "tmqi" ? 1 : 0;
   EXPECT_EQ(qualities, 18u);
   EXPECT_EQ(csv("out").find("seconds"), std::string::npos) << "times differ from run to run";
-  EXPECT_TRUE(csv("out").starts_with("input,preset,view,operator,variant,settings,quantity,value,unit\r\n"));
+  EXPECT_TRUE(
+      csv("out").starts_with("input,preset,view,operator,variant,settings,note,quantity,value,unit\r\n"));
   EXPECT_NE(batch_file(folder("out"), "timings.csv")
                 .find("field,,\"2,2\",bilateral,naive,contrast=30,seconds_median,"),
             std::string::npos);
@@ -76,7 +63,7 @@ TEST_F(BatchCommand, AFinishedStudyIsNotComputedAgain) {
   EXPECT_EQ(batch_file(folder("out"), "timings.csv"), times) << "nothing was timed again";
 }
 
-TEST_F(BatchCommand, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
+TEST_F(BatchInterruption, KilledAndStartedAgainItEndsLikeAnUninterruptedRun) {
   run("whole");
   int kills = 0;
   for (std::uint64_t attempt = 0; attempt < 3; ++attempt) {
@@ -132,8 +119,7 @@ TEST_F(BatchCommand, TheLastShardInOneFolderWritesTheReport) {
 TEST_F(BatchCommand, ADamagedResultIsToldAndComputedAgain) {
   run("out");
   const std::string whole = csv("out");
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(fs::path(folder("out")) / "items")) files.push_back(entry);
+  const std::vector<fs::path> files = item_files(folder("out"));
   std::string text = read_text_file(files[0]);
   text.at(text.find("\"value\": 0") + 9) = '1';
   write_text_file(files[0], text);
@@ -216,9 +202,9 @@ TEST_F(BatchCommand, PixelsThatAreNotFiniteAreCountedAndLeftOutOfMetrics) {
   study["inputs"] = Json::parse(R"([{"image": "holes.exr"}])");
   write_tiny_batch(parent_.path(), study);
   run("out");
-  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,left_out_pixels,2,px"), std::string::npos)
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,,left_out_pixels,2,px"), std::string::npos)
       << csv("out");
-  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,tmqi,"), std::string::npos) << csv("out");
+  EXPECT_NE(csv("out").find("holes.exr,,,reinhard02,naive,,,tmqi,"), std::string::npos) << csv("out");
 }
 
 TEST_F(BatchCommand, AnExtendedStudyComputesOnlyWhatIsNew) {

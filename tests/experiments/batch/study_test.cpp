@@ -82,6 +82,8 @@ TEST(BatchStudy, EveryMistakeIsOneSentenceThatNamesFileAndKey) {
     EXPECT_NE(message.find(entry.second), std::string::npos) << message;
   }
   EXPECT_NE(message_of([] { parse_batch_study("{", "s.json"); }).find("not valid JSON"), std::string::npos);
+  EXPECT_EQ(message_of([] { parse_batch_study(R"({"repeat": 1, "repeat": 7})", "s.json"); }),
+            R"(s.json has the key "repeat" twice in one object)");
 }
 
 class BatchPlanTest : public testing::Test {
@@ -106,7 +108,6 @@ TEST_F(BatchPlanTest, AllThatDecidesAResultDecidesItsKey) {
   EXPECT_EQ(planned(tiny_batch()).items[1].key, key);
   for (const char* change :
        {R"({"/operators/1/settings/contrast": 31})", R"({"/operators/1/variant": "enhanced"})",
-        R"({"/metrics": ["tmqi", "brisque"]})", R"({"/viewing": {"distance_m": 1}})",
         R"({"/inputs/0/cd_m2_per_unit": 21})", R"({"/repeat": 2})", R"({"/inputs/0/views": [[1, 0]]})"}) {
     Json study = tiny_batch();
     const Json changed = Json::parse(change);
@@ -117,6 +118,13 @@ TEST_F(BatchPlanTest, AllThatDecidesAResultDecidesItsKey) {
   same["title"] = "another title";
   same["inputs"][0]["name"] = "another name";
   EXPECT_EQ(planned(same).items[1].key, key) << "names decide nothing";
+  const std::string metric = planned(same).metric_key(*planned(same).metrics.front());
+  same["metrics"] = {"tmqi", "brisque"};
+  EXPECT_EQ(planned(same).items[1].key, key) << "metrics have keys of their own";
+  EXPECT_EQ(planned(same).metric_key(*planned(same).metrics.front()), metric);
+  same["viewing"] = {{"distance_m", 1}};
+  EXPECT_EQ(planned(same).items[1].key, key) << "nobody views what is only mapped";
+  EXPECT_NE(planned(same).metric_key(*planned(same).metrics.front()), metric);
   std::filesystem::remove_all(folder_.path() / "field");
   written_plane(folder_.path() / "field", -1);
   EXPECT_NE(planned(tiny_batch()).items[1].key, key) << "another light field of the same name";
@@ -153,7 +161,10 @@ TEST_F(BatchPlanTest, InputsThatCannotBeOpenedOrScaledBecomeItemsWithAProblem) {
   ASSERT_EQ(plan.items.size(), 8u);
   EXPECT_NE(plan.items[0].problem.find("nowhere does not exist"), std::string::npos) << plan.items[0].problem;
   EXPECT_NE(plan.items[2].problem.find("nothing.exr"), std::string::npos) << plan.items[2].problem;
-  EXPECT_NE(plan.items[4].problem.find("cd_m2_per_unit"), std::string::npos) << plan.items[4].problem;
+  EXPECT_EQ(plan.items[4].problem, "") << "it can be mapped";
+  EXPECT_NE(plan.problems_of(plan.items[4]).find("drim: it needs the luminance of a value of 1"),
+            std::string::npos)
+      << plan.problems_of(plan.items[4]);
   EXPECT_NE(plan.items[6].problem.find("no view [7, 0]"), std::string::npos) << plan.items[6].problem;
 }
 

@@ -23,12 +23,17 @@ std::string batch_file(const fs::path& folder, const std::string& name) {
   return read_text_file(folder / name);
 }
 
-std::size_t stored_items(const fs::path& folder) {
-  std::size_t count = 0;
+std::vector<fs::path> item_files(const fs::path& folder) {
+  std::vector<fs::path> files;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder / "items", error))
-    count += entry.path().filename().string().starts_with('.') ? 0 : 1;
-  return count;
+    if (entry.path().extension() == ".json" && !entry.path().filename().string().starts_with('.'))
+      files.push_back(entry.path());
+  return files;
+}
+
+std::size_t stored_items(const fs::path& folder) {
+  return item_files(folder).size();
 }
 
 }  // namespace plenolab

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "tests/experiments/plane_field.h"
 
@@ -18,7 +19,8 @@ std::filesystem::path write_tiny_batch(const std::filesystem::path& folder,
 /// The text of a file of a batch.
 std::string batch_file(const std::filesystem::path& folder, const std::string& name);
 
-/// Files of items in a folder of results.
+/// Files of items in a folder of results, without their pictures.
+std::vector<std::filesystem::path> item_files(const std::filesystem::path& folder);
 std::size_t stored_items(const std::filesystem::path& folder);
 
 }  // namespace plenolab
