@@ -262,7 +262,7 @@ TEST(OperatorTable, TheUnitOfRelativeRadianceDoesNotMatterAndThatOfDeclaredRadia
   for (Rgb& c : brighter.pixels()) c = 1024.0f * c;
   const auto map = [](const OperatorInfo& info, const SceneImage& view, std::optional<double> unit) {
     const OperatorView shown{std::make_shared<SceneImage>(view), nullptr};
-    return info.fit(info.variants.front().name, {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
+    return info.fit(info.variants.front().id, {}, scope_of_image(shown, 1, unit)).apply(shown, 1).image;
   };
   const auto largest_difference = [](const DisplayImage& a, const DisplayImage& b) {
     float most = 0;
