@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t kColumnsAtEase = 7;
 
 /// Decimals that give the numbers of a column the same number of places, if all are of about the same size
-/// (none for whole numbers); otherwise each number gets its own significant digits.
+/// (none for whole numbers) or are shares, below 1 and none so small that it would read 0; otherwise each
+/// number gets its own significant digits.
 std::optional<int> common_decimals(const ReportTable& table, std::size_t column) {
   double smallest = std::numeric_limits<double>::infinity(), largest = 0;
   bool whole = true;
@@ -30,6 +31,7 @@ std::optional<int> common_decimals(const ReportTable& table, std::size_t column)
     largest = std::max(largest, std::abs(*number));
     whole = whole && *number == std::round(*number);
   }
+  if (!whole && largest < 1 && smallest >= std::pow(10.0, -table.digits)) return table.digits;
   if (largest == 0 || largest > 10 * smallest || largest >= 1e7 || smallest < 1e-4) return std::nullopt;
   if (whole) return 0;
   return std::max(0, table.digits - 1 - static_cast<int>(std::floor(std::log10(largest))));

@@ -51,7 +51,7 @@ std::vector<KeyFigure> key_figures(const BatchPlan& plan, const Stored& stored) 
                        failed == 0 ? std::string() : fmt::format("; {} failed", failed))},
           {"inputs", std::to_string(plan.inputs.size()), "", ""},
           {"operators", std::to_string(plan.operators.size()), "", ""},
-          {"mapping and metrics took", format_duration(seconds), "",
+          {"mapping and metrics took", seconds < 1 ? "under 1 s" : format_duration(seconds), "",
            "all items and all runs added up; the time on top of the page is that of the last run"}};
 }
 

@@ -55,6 +55,17 @@ TEST_F(BatchSummary, MeansAreOverAllViewsWhereNothingIsMissing) {
   EXPECT_TRUE(comparison_notes(batch_.plan, batch_.items).empty());
 }
 
+TEST_F(BatchSummary, ALightFieldOfManyViewsCountsAsMuchAsAPhotograph) {
+  ComparedItems compared;
+  compared.inputs = {0, 0, 0, 2};
+  EXPECT_EQ(means_of_inputs(compared, {1, 2, 3, 10}), (std::vector<double>{2, 10}));
+  Stored two(folder_.path());
+  for (std::size_t i = 16; i < 18; ++i)
+    two.plan.items[i].input = 1;  // as if the last view were of another input
+  two.set(16, 9);
+  EXPECT_DOUBLE_EQ(value_in(operator_rows(two.plan, two.items), "tmqi", "reinhard02"), (1.0 + 9.0) / 2);
+}
+
 TEST_F(BatchSummary, AnOperatorThatFailsOnAHardViewDoesNotLookBetterForIt) {
   batch_.set(0, 0.1);  // a hard view: the other operator fails there
   batch_.fail(1);
