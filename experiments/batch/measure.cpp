@@ -133,17 +133,6 @@ void map_repeatedly(const TimedFit& fit, const BatchView& place, double statisti
   item.image = std::move(mapped.image);
 }
 
-/// 0 where the scene is NaN or infinite: operators repair such pixels, and metrics have nothing to compare
-/// them with.
-Mask finite_pixels(const SceneImage& scene) {
-  Mask mask(scene.width(), scene.height(), 1);
-  for (std::size_t i = 0; i < scene.size(); ++i) {
-    const Rgb c = scene.pixels()[i];
-    if (!std::isfinite(c.r) || !std::isfinite(c.g) || !std::isfinite(c.b)) mask.pixels()[i] = 0;
-  }
-  return mask;
-}
-
 ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& input, int threads) {
   ComparisonConditions conditions;
   conditions.cd_m2_per_unit = input.cd_m2_per_unit.value_or(1);
@@ -152,8 +141,9 @@ ComparisonConditions conditions_for(const BatchPlan& plan, const BatchInput& inp
   return conditions;
 }
 
+/// NaN or infinite: operators repair such pixels, and metrics have nothing to compare them with.
 double left_out_pixels(const SceneImage& scene) {
-  const Mask finite = finite_pixels(scene);
+  const Mask finite = mask_of_finite(scene);
   return static_cast<double>(std::count(finite.pixels().begin(), finite.pixels().end(), 0));
 }
 
@@ -203,7 +193,7 @@ void measure_item(const BatchPlan& plan, const BatchItem& item, MappedItem& mapp
   if (mapped.result.failed()) return;
   const BatchInput& input = plan.inputs[item.input];
   ComparisonConditions conditions = conditions_for(plan, input, threads);
-  const Mask finite = finite_pixels(*mapped.view.colour);
+  const Mask finite = mask_of_finite(*mapped.view.colour);
   if (std::count(finite.pixels().begin(), finite.pixels().end(), 0) > 0) conditions.valid = &finite;
   std::vector<MetricResult> known = std::move(mapped.result.metrics), results;
   for (const Metric* metric : plan.metrics_for(input)) {

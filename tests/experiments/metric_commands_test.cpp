@@ -125,10 +125,13 @@ TEST_F(MetricCommand, LeavesOutNoMetricThatWasNamed) {
 TEST_F(MetricCommand, ListsWhatThereIsAndWhichWayIsBetter) {
   const auto rows = rows_of({"--list"});
   EXPECT_TRUE(has(rows, "drim_mean_total"));
-  for (const auto& row : rows) {
-    if (row.at("quantity") == "tmqi") EXPECT_EQ(row.at("better"), "higher is better");
-    if (row.at("quantity") == "brisque_plenolab") EXPECT_EQ(row.at("takes"), "a picture alone");
-  }
+  const auto column = [&](const char* quantity, const char* name) {
+    for (const auto& row : rows)
+      if (row.at("quantity") == quantity) return row.at(name).get<std::string>();
+    return std::string();
+  };
+  EXPECT_EQ(column("tmqi", "better"), "higher is better");
+  EXPECT_EQ(column("brisque_plenolab", "takes"), "a picture alone");
   EXPECT_NE(run_program({"metric", "--list"}).out.find("lower is better"), std::string::npos);
   expect_one_clear_sentence(run_program({"metric"}), "give --test", 2);
 }
