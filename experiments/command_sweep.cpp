@@ -371,7 +371,6 @@ void run_sweep(const Invocation& invocation, const SweepOptions& options) {
   provenance.parameters["method"] = options.method;
   provenance.parameters["source"] = options.source;
   provenance.parameters["runs"] = options.runs;
-  if (options.source != kWalk && fs::exists(options.source)) add_input(provenance, options.source);
   if (absolute) provenance.parameters["cd_m2_per_unit"] = scale_of(options);
   if (!is_walk(options) && source_exists(options)) add_input(provenance, options.source);
   const std::optional<float> exposure = exposure_for_tables(options);

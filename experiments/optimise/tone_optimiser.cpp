@@ -36,15 +36,17 @@ ScoreAll scores_of(const SceneImage& scene, const Objective& objective, const Im
 }
 
 /// Conditions for the objective of the smaller image while candidates are evaluated side by side.
-ComparisonConditions search_conditions(ComparisonConditions conditions, int shrink) {
+ComparisonConditions search_conditions(ComparisonConditions conditions,
+                                       const ToneOptimisationOptions& options) {
   conditions.threads = 1;
+  if (!describe_objective(options.quantity).viewing) return conditions;
   const double full_size = conditions.viewing.pixels_per_degree;
-  conditions.viewing.pixels_per_degree /= static_cast<double>(shrink);
+  conditions.viewing.pixels_per_degree /= static_cast<double>(options.shrink);
   if (conditions.viewing.pixels_per_degree < 1)
     throw InputError(
         fmt::format("an image of {:g} pixels per degree cannot be shrunk by {}: less than 1 would "
                     "be left",
-                    full_size, shrink));
+                    full_size, options.shrink));
   return conditions;
 }
 
@@ -104,8 +106,7 @@ ToneOptimisation optimise_tones(const SceneImage& scene, const ComparisonConditi
   const SceneImage& full = repaired.image();
   const Stopwatch watch;
   const SceneImage small = averaged_down(full, options.shrink);
-  const Objective objective =
-      make_objective(options.quantity, small, search_conditions(conditions, options.shrink));
+  const Objective objective = make_objective(options.quantity, small, search_conditions(conditions, options));
   ToneOptimisation result;
   result.repairs = repaired.repairs();
   result.evolution = minimise_by_evolution(

@@ -96,26 +96,29 @@ TEST(ToneOptimiser, BlocksAreAveragedAndBordersKeepTheirOwn) {
   EXPECT_FLOAT_EQ(small.at(1, 0).g, 7);
 }
 
-/// Bright grains that blocks of 2 × 2 average away.
+/// A few bright grains on fine texture: blocks average both away.
 SceneImage grains() {
   SceneImage scene(64, 48);
   for (int y = 0; y < 48; ++y)
     for (int x = 0; x < 64; ++x)
-      scene.at(x, y) =
-          Rgb{1, 1, 1} * (x % 2 == 0 && y % 2 == 0 ? 300.0f : 0.01f * static_cast<float>(1 + x % 7));
+      scene.at(x, y) = Rgb{1, 1, 1} *
+                       static_cast<float>(
+                           x % 8 == 0 && y % 8 == 0 ? 5000 : 1 + 0.5 * std::sin(2.5 * x) * std::sin(2.7 * y));
   return scene;
 }
 
 TEST(ToneOptimiser, IsNeverWorseThanTheStartAtFullSizeEither) {
   int kept = 0;
   for (const char* quantity : {"feature_photographic", "tmqi", "feature_content_adaptive"}) {
-    ToneOptimisationOptions options = short_search(8);
+    ToneOptimisationOptions options = short_search(4);
     options.quantity = quantity;
     const Objective objective = describe_objective(quantity);
     const ToneOptimisation found = optimise_tones(grains(), {}, options);
     EXPECT_LE(objective.cost(found.best_value), objective.cost(found.start_value)) << quantity;
     EXPECT_EQ(found.start_kept, objective.cost(found.found_value) > objective.cost(found.start_value));
-    EXPECT_EQ(parameters_of(found.best) == parameters_of({}), found.start_kept);
+    if (found.start_kept) {
+      EXPECT_EQ(parameters_of(found.best), parameters_of({}));
+    }
     kept += found.start_kept;
   }
   EXPECT_GT(kept, 0) << "no example of a search on the smaller image that leads astray";
