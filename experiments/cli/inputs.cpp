@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/io/bytes.h"
 #include "core/io/image_file.h"
 #include "core/lightfield/hci.h"
 #include "core/lightfield/light_field_folder.h"
@@ -85,6 +86,11 @@ bool is_display_file(const fs::path& path) {
 
 AnyImage read_any_image(const fs::path& path) {
   if (is_display_file(path)) return read_display_image(path);
+  const std::string extension = lower_extension(path);
+  if (extension != ".exr" && extension != ".hdr" && extension != ".pfm")
+    throw InputError(
+        fmt::format("{} is no image that is read here: pictures are .png, radiance is .exr, .hdr or .pfm",
+                    path.string()));
   return read_scene_image(path);
 }
 

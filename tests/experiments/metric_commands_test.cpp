@@ -151,6 +151,11 @@ TEST_F(MetricCommand, LeavesUndefinedPixelsOutOnlyIfAsked) {
                    "ignored_pixels"));
 }
 
+TEST_F(MetricCommand, NamesTheKindsOfImagesForAnother) {
+  expect_one_clear_sentence(run_program({"metric", "--ref", scene_, "--test", "picture.jpg"}),
+                            "pictures are .png");
+}
+
 TEST_F(MetricCommand, TellsWhichWayRoundImagesGo) {
   expect_one_clear_sentence(run_program({"metric", "--ref", picture_, "--test", scene_}),
                             "tone mapped image as the test");
