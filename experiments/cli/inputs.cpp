@@ -15,15 +15,6 @@
 namespace plenolab {
 namespace fs = std::filesystem;
 
-namespace {
-std::string lower_extension(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
-}  // namespace
-
 AnyLightField open_any_light_field(const fs::path& folder, int memory_mib) {
   PLENOLAB_CHECK(memory_mib > 0, fmt::format("{}", memory_mib));
   const std::size_t bound = static_cast<std::size_t>(memory_mib) << 20;
