@@ -27,7 +27,8 @@ void check_camera(const std::vector<Volume>& volumes, const Point3& position_m) 
   check_weights(pixel_weights(counts, volumes));
   // The counts are those of the map.
   VolumeCounts mapped{std::vector<std::int64_t>(volumes.size()), 0};
-  for (const int v : map_pixels(depth_m, camera, volumes).pixels())
+  const Plane<int> map = map_pixels(depth_m, camera, volumes);
+  for (const int v : map.pixels())
     ++(v < 0 ? mapped.background : mapped.volumes.at(static_cast<std::size_t>(v)));
   if (mapped.volumes != counts.volumes) std::abort();
 }
